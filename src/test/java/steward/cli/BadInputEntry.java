@@ -4,6 +4,7 @@ import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -17,16 +18,18 @@ import steward.cli.streams.Streams;
  * < FILE BASE      a file of the call and what it is made of, see {@link BadInputFiles}; - is the standard input
  * - OLD            what is replaced in it, once, by the next line
  * + NEW
+ * ? FILE           a file that is shown afterwards
  * = STATUS         the exit status
  * > LINE           each line of the standard output
  * ! LINE           each line of the standard error
+ * : LINE           each line of the files that are shown
  * </pre>
  * {@value #FOLDER} is the folder of the call: its files are in there.
  *
  * @param command  whose file it stands in
  * @param call     the arguments
- * @param recipe   the lines that begin with {@code <}, {@code -}, {@code +} and {@code ~}
- * @param expected the lines that begin with {@code =}, {@code >} and {@code !}
+ * @param recipe   the lines that begin with {@code <}, {@code -}, {@code +}, {@code ~} and {@code ?}
+ * @param expected the lines that begin with {@code =}, {@code >}, {@code !} and {@code :}
  */
 record BadInputEntry(String command, String call, List<String> recipe, List<String> expected) {
 
@@ -47,8 +50,8 @@ record BadInputEntry(String command, String call, List<String> recipe, List<Stri
                 throw new AssertionError(command + ": expected a line that begins with $: " + lines.get(0));
             }
             entries.add(new BadInputEntry(command, lines.get(0).substring(CALL.length()),
-                lines.stream().skip(1).filter(line -> "<-+~".indexOf(line.charAt(0)) >= 0).toList(),
-                lines.stream().skip(1).filter(line -> "=>!".indexOf(line.charAt(0)) >= 0).toList()));
+                lines.stream().skip(1).filter(line -> "<-+~?".indexOf(line.charAt(0)) >= 0).toList(),
+                lines.stream().skip(1).filter(line -> "=>!:".indexOf(line.charAt(0)) >= 0).toList()));
         }
         return entries;
     }
@@ -93,6 +96,13 @@ record BadInputEntry(String command, String call, List<String> recipe, List<Stri
         List<String> result = new ArrayList<>(List.of("= " + status));
         add(result, "> ", out, folder);
         add(result, "! ", err, folder);
+        for (String line : recipe) {
+            if (line.charAt(0) == '?') {
+                ByteArrayOutputStream shown = new ByteArrayOutputStream();
+                shown.write(Files.readAllBytes(folder.resolve(line.substring(2))));
+                add(result, ": ", shown, folder);
+            }
+        }
         return result;
     }
 

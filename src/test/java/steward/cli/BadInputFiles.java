@@ -24,7 +24,10 @@ import steward.scene.SceneFiles;
  * <li>{@code scene NAME}, a shipped scene; {@code figures NAME}, the figures of its accuracy;
  * <li>{@code replay}, of the scene duel; {@code recording}, CodinGame's JSON of a game of ours; {@code simulation}, an
  *     input of {@code steward simulate};
- * <li>{@code key}, a private key, with its public one in FILE.pub.
+ * <li>{@code key}, a private key, with its public one in FILE.pub;
+ * <li>{@code bot}, the script of {@link ShellBots}, and {@code lines}, that of {@link TextShellBots}; {@code short}, a
+ *     duel of 8 turns, and {@code drawn}, one whose places the seed draws;
+ * <li>{@code there}, the file that an earlier call left; {@code gone}, none.
  * </ul>
  * and from the lines below it: {@code - OLD} and {@code + NEW} replace a text that is there; {@code + NEW} alone goes
  * to the end; {@code ~ N bytes} and {@code ~ N lines} keep the beginning; {@code ~ N times TEXT} goes to the end.
@@ -85,6 +88,7 @@ final class BadInputFiles {
                     begin(name, words[1]);
                 }
                 case '-' -> old = text(rest);
+                case '?' -> { }
                 case '+' -> {
                     change(name, old, text(rest));
                     old = null;
@@ -111,6 +115,12 @@ final class BadInputFiles {
             case "replay" -> contents.put(name, Bases.REPLAY);
             case "recording" -> contents.put(name, utf8(Bases.RECORDING));
             case "simulation" -> contents.put(name, SIMULATION);
+            case "bot" -> contents.put(name, utf8(ShellBots.ANSWER));
+            case "lines" -> contents.put(name, utf8(TextShellBots.SCRIPT));
+            case "short" -> contents.put(name, utf8(ShellBots.shortDuel(8)));
+            case "drawn" -> contents.put(name, utf8(ShellBots.drawn(ShellBots.shortDuel(8))));
+            case "there" -> contents.put(name, bytes(Files.readAllBytes(folder.resolve(name))));
+            case "gone" -> Files.delete(folder.resolve(name));
             default -> throw new AssertionError("no such base of a file: " + base);
         }
     }

@@ -31,7 +31,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import picocli.CommandLine.Model.OptionSpec;
 import steward.cli.shared.ExitStatus;
-import steward.match.TestSize;
 
 /**
  * The table of bad inputs: calls of every command that cannot be used, each with its exit status and everything that it
@@ -46,8 +45,6 @@ class BadInputTableTest {
     private static final String NO_PROCESSES = "this JVM cannot start programs";
     /** One entry in so many is called in quickTest. */
     private static final int SAMPLE = 8;
-    /** Share of the others that is called in {@code test}: one of so many. */
-    private static final int OTHERS = 8;
     /** Least entries of the whole table. */
     private static final int LEAST_ENTRIES = 590;
 
@@ -75,10 +72,9 @@ class BadInputTableTest {
         return table().filter(BadInputTableTest::isOfSample);
     }
 
-    /** The other entries; in {@code test} some of them. */
+    /** The other entries. */
     static Stream<BadInputEntry> others() {
-        return table().filter(entry -> !isOfSample(entry)
-            && (TestSize.isWhole() || Math.floorMod(entry.key().hashCode(), OTHERS) == 1));
+        return table().filter(entry -> !isOfSample(entry));
     }
 
     private static boolean isOfSample(BadInputEntry entry) {
@@ -94,7 +90,6 @@ class BadInputTableTest {
     @ParameterizedTest
     @MethodSource("others")
     @Tag("slow")
-    @Tag("sized")
     void isRefusedAsWell(BadInputEntry entry) throws IOException {
         assertRefused(entry);
     }

@@ -20,6 +20,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import steward.cli.BrokenInputs.Kind;
 import steward.machines.wire.IncomingBytes;
 import steward.match.Protocol;
+import steward.match.TestSize;
 
 /**
  * Files and answers that are broken in ways nobody has thought of, see {@link BrokenInputs}.
@@ -29,8 +30,7 @@ import steward.match.Protocol;
  */
 class BrokenInputTest {
 
-    private static final int INPUTS = Integer.getInteger("steward.inputs", 10);
-    private static final int MANY = Math.max(60, INPUTS);
+    private static final int INPUTS = Integer.getInteger("steward.inputs", TestSize.of(10, 60));
     private static final long SEED = Long.getLong("steward.seed", 12);
 
     @TempDir
@@ -43,23 +43,12 @@ class BrokenInputTest {
     @ParameterizedTest
     @MethodSource("kinds")
     @Timeout(7200)
+    @Tag("sized")
     void endsWithAStatusAndOneMessage(Kind kind) throws IOException {
-        tryBroken(kind, INPUTS);
-    }
-
-    @ParameterizedTest
-    @MethodSource("kinds")
-    @Timeout(7200)
-    @Tag("campaign")
-    void ofManyEachEndsWithAStatusAndOneMessage(Kind kind) throws IOException {
-        tryBroken(kind, MANY);
-    }
-
-    private void tryBroken(Kind kind, int count) throws IOException {
         BrokenInputs inputs = new BrokenInputs(folder, SEED);
         inputs.prepare(kind);
         int refused = 0;
-        for (int number = 0; number < count; number++) {
+        for (int number = 0; number < INPUTS; number++) {
             byte[] broken = inputs.broken(kind, number);
             try {
                 refused += inputs.check(kind, broken) ? 1 : 0;
@@ -130,88 +119,51 @@ class BrokenInputTest {
     }
 
     @Test
+    @Tag("sized")
     void anAnswerInJson() throws InterruptedException {
-        answersInJson(INPUTS);
+        answers( Protocol.JSON, "{\"pods\":[{\"x\":1,\"y\":2.5,\"thrust\":100}],\"message\":\"hello\"}");
+        answers( Protocol.JSON, "{\"pods\":[{\"x\":1,\"y\":2,\"shield\":true}]}");
     }
 
     @Test
-    @Tag("campaign")
-    void manyAnswersInJson() throws InterruptedException {
-        answersInJson(MANY);
-    }
-
-    private void answersInJson(int count) throws InterruptedException {
-        answers(count, Protocol.JSON, "{\"pods\":[{\"x\":1,\"y\":2.5,\"thrust\":100}],\"message\":\"hello\"}");
-        answers(count, Protocol.JSON, "{\"pods\":[{\"x\":1,\"y\":2,\"shield\":true}]}");
-    }
-
-    @Test
+    @Tag("sized")
     void anAnswerInWords() throws InterruptedException {
-        answersInWords(INPUTS);
-    }
-
-    @Test
-    @Tag("campaign")
-    void manyAnswersInWords() throws InterruptedException {
-        answersInWords(MANY);
-    }
-
-    private void answersInWords(int count) throws InterruptedException {
-        answers(count, Protocol.CODINGAME, "1000 2000 100 hello");
-        answers(count, Protocol.CODINGAME, "1000 -20 SHIELD");
+        answers( Protocol.CODINGAME, "1000 2000 100 hello");
+        answers( Protocol.CODINGAME, "1000 -20 SHIELD");
     }
 
     @Test
     @Tag("process")                                     // whether a bundle can be started is tried
+    @Tag("sized")
     void whatArrivesFromOtherMachines() throws IOException {
-        tryArrivals(10 * INPUTS);
-    }
-
-    @Test
-    @Tag("process")
-    @Tag("campaign")
-    void muchArrivesFromOtherMachines() throws IOException {
-        tryArrivals(10 * MANY);
-    }
-
-    private void tryArrivals(int count) throws IOException {
         IncomingBytes incoming = new IncomingBytes(Files.createDirectory(folder.resolve("incoming")), SEED);
         for (IntPredicate target : List.<IntPredicate>of(incoming::word, incoming::league, incoming::job,
                 incoming::bundle)) {
             int refused = 0;
-            for (int number = 0; number < count; number++) {
+            for (int number = 0; number < 10 * INPUTS; number++) {
                 try {
                     refused += target.test(number) ? 1 : 0;
                 } catch (AssertionError | RuntimeException problem) {
                     fail("steward.seed " + SEED + ", input " + number + ": " + problem.getMessage(), problem);
                 }
             }
-            assertTrue(refused > 0 && refused < count, "some are refused and some are not: " + refused);
+            assertTrue(refused > 0 && refused < 10 * INPUTS, "some are refused and some are not: " + refused);
         }
     }
 
-    private void answers(int count, Protocol protocol, String original) throws InterruptedException {
+    private void answers(Protocol protocol, String original) throws InterruptedException {
         int faults = 0;
-        for (int number = 0; number < 10 * count; number++) {
+        for (int number = 0; number < 10 * INPUTS; number++) {
             faults += new BrokenInputs(folder, SEED).answer(protocol, original, number) ? 1 : 0;
         }
         assertTrue(faults > 0, "no answer was refused");
     }
 
     @Test
+    @Tag("sized")
     void aCommandOfABot() {
-        tryCommands(10 * INPUTS);
-    }
-
-    @Test
-    @Tag("campaign")
-    void manyCommandsOfABot() {
-        tryCommands(10 * MANY);
-    }
-
-    private void tryCommands(int count) {
         int refused = 0;
-        for (int number = 0; number < count; number++) {
+        for (int number = 0; number < 10 * INPUTS; number++) {
             try {
                 refused += new BrokenInputs(folder, SEED).command(Fuzz.COMMAND, number) ? 1 : 0;
             } catch (AssertionError | RuntimeException problem) {

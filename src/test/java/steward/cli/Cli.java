@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.Stream;
 import steward.cli.options.SandboxOptions;
 import steward.cli.shared.ExitStatus;
@@ -37,10 +38,20 @@ public record Cli(int status, String out, String err) {
             withoutMachine(err.toString(StandardCharsets.UTF_8)));
     }
 
+    /** @param more further arguments */
+    public static Cli run(List<String> call, String... more) {
+        return run(words(call, more));
+    }
+
+    /** Returns the words of a call. @param more further arguments */
+    public static String[] words(List<String> call, String... more) {
+        return Stream.concat(call.stream(), Stream.of(more)).toArray(String[]::new);
+    }
+
     /** Calls a command of leagues; {@code TMP} in its words is a folder. */
     public static Cli league(Path folder, String... words) {
-        return run(Stream.concat(Stream.of("league"), Stream.of(words)
-            .map(word -> word.replace("TMP", folder.toString()))).toArray(String[]::new));
+        return run(List.of("league"), Stream.of(words).map(word -> word.replace("TMP", folder.toString()))
+            .toArray(String[]::new));
     }
 
     /** Requires that the call is done, and returns it. */

@@ -84,8 +84,7 @@ class HelpTest {
     @ParameterizedTest
     @MethodSource("commands")
     void everyLineFitsEightyColumns(String command) {
-        Cli help = Cli.run(command, "--help");
-        assertEquals(ExitStatus.DONE, help.status());
+        Cli help = Cli.run(command, "--help").done();
         assertEquals(List.of(), help.out().lines().filter(line -> line.length() > 80).toList());
         assertTrue(help.out().contains("Usage: steward " + command), help.out());
         int example = help.out().indexOf("\nExample");
@@ -140,8 +139,7 @@ class HelpTest {
         assertEquals(2, Cli.run("help", "match", "run").status());
         assertTrue(Cli.run("match", "--help").out().contains("\n  -b, --bot=BOT "));
         assertFalse(Cli.run("referee", "--help").out().contains("-s, --scene"), "its -s is another option");
-        Cli sandbox = Cli.run("help", "sandbox");
-        assertEquals(ExitStatus.DONE, sandbox.status(), sandbox.err());
+        Cli sandbox = Cli.run("help", "sandbox").done();
         assertTrue(sandbox.out().contains("\n      --memory=SIZE "), sandbox.out());
         assertEquals(List.of(), sandbox.out().lines().filter(line -> line.length() > 80).toList());
         String tune = Cli.run("tune", "--help").out();

@@ -84,15 +84,13 @@ class OutsideGameTest {
     }
 
     private static Cli call(Path gamesPath, String... words) {
-        return Cli.run(Stream.concat(Stream.of("--games-path", gamesPath.toString()), Stream.of(words))
-            .toArray(String[]::new));
+        return Cli.run(List.of("--games-path", gamesPath.toString()), words);
     }
 
     private static Path play(String name) {
         Path replay = folder.resolve(name);
-        Cli match = call(games, "match", "--scene", scene.toString(), "--bot", bot(1), "--bot", bot(-3), "--seed", "4",
-            "--out", replay.toString(), "--view", replay + ".html");
-        assertEquals(ExitStatus.DONE, match.status(), match.err());
+        call(games, "match", "--scene", scene.toString(), "--bot", bot(1), "--bot", bot(-3), "--seed", "4",
+            "--out", replay.toString(), "--view", replay + ".html").done();
         return replay;
     }
 
@@ -108,8 +106,7 @@ class OutsideGameTest {
         assertTrue(header.contains("\"game\":\"sumo\",\"jar\":\"sha256:"), header);
         assertTrue(header.contains("\"kind\":\"wrestler\""), header);
         assertTrue(Files.readString(Path.of(replay + ".html")).contains("<canvas"));
-        Cli verified = call(games, "replay", replay.toString(), "--verify");
-        assertEquals(ExitStatus.DONE, verified.status(), verified.err());
+        Cli verified = call(games, "replay", replay.toString(), "--verify").done();
         assertTrue(verified.out().contains("verified"), verified.out());
     }
 
@@ -122,12 +119,8 @@ class OutsideGameTest {
         assertEquals(ExitStatus.UNUSABLE, other.status());
         assertTrue(other.err().matches("steward: .*refused.jsonl:1: jar: found sha256:\\w+.*, expected sha256:\\w+, "
             + "which is installed\n"), other.err());
-        Cli none = Cli.run("replay", replay.toString(), "--verify");
-        assertEquals(ExitStatus.UNUSABLE, none.status());
-        assertTrue(none.err().contains("put its jar into the folder of games"), none.err());
-        Cli noFolder = call(folder.resolve("nowhere"), "scene");
-        assertEquals(ExitStatus.UNUSABLE, noFolder.status());
-        assertTrue(noFolder.err().startsWith("steward: --games-path: found no folder "), noFolder.err());
+        Cli.run("replay", replay.toString(), "--verify").assertRefused("put its jar into the folder of games");
+        call(folder.resolve("nowhere"), "scene").assertRefused("--games-path: found no folder ");
     }
 
     @Test
@@ -136,13 +129,10 @@ class OutsideGameTest {
         assertEquals("", call(games, "league", "init", league, "--scene", scene.toString()).err());
         call(games, "league", "add", league, "one=" + bot(1));
         call(games, "league", "add", league, "two=" + bot(2));
-        Cli run = call(games, "league", "run", league, "--games", "4");
-        assertEquals(ExitStatus.DONE, run.status(), run.err());
+        Cli run = call(games, "league", "run", league, "--games", "4").done();
         Path others = Files.createDirectories(folder.resolve("changed"));
         pack(others.resolve("sumo.jar"), folder.resolve("classes"), "changed");
-        Cli ended = call(others, "league", "run", league, "--games", "8");
-        assertEquals(ExitStatus.UNUSABLE, ended.status());
-        assertTrue(ended.err().contains("the files of the game are others"), ended.err());
+        call(others, "league", "run", league, "--games", "8").assertRefused("the files of the game are others");
     }
 
     @Test
@@ -167,10 +157,8 @@ class OutsideGameTest {
         Cli other = worker(others, address, token);
         assertEquals(ExitStatus.REFUSED, other.status(), other.err());
         assertTrue(other.err().contains("found the jar sha256:"), other.err());
-        Cli same = worker(games, address, token, "--games", "4");
-        assertEquals(ExitStatus.DONE, same.status(), same.err());
-        Cli served = run.get(60, TimeUnit.SECONDS);
-        assertEquals(ExitStatus.DONE, served.status(), served.err());
+        worker(games, address, token, "--games", "4").done();
+        Cli served = run.get(60, TimeUnit.SECONDS).done();
         String told = served.out() + served.err();
         assertTrue(told.contains("worker far: found no jar of the league's game, expected sha256:"), told);
         assertTrue(told.contains("worker far: found the jar sha256:"), told);
@@ -199,8 +187,7 @@ class OutsideGameTest {
         String program = bot.replaceAll("me=| .*", "");
         assumeTrue(program.startsWith("./") || ProgramFinder.find(program) != null, "there is no " + program);
         Cli match = call(games, "match", "--scene", scene.toString(), "--bot", bot, "--in", place.toString(), "--bot",
-            "on=" + bot(1), "--seed", "4", "--json", "--time-factor", "30");
-        assertEquals(ExitStatus.DONE, match.status(), match.err());
+            "on=" + bot(1), "--seed", "4", "--json", "--time-factor", "30").done();
         assertTrue(match.json().get("players").get(0).get("fault").isNull(), match.out());
         assertTrue(match.json().get("players").get(0).get("score").doubleValue() > 0, match.out());
     }
@@ -208,8 +195,7 @@ class OutsideGameTest {
     @Test
     void aStarterInLinesThatItDoesNotDeclareSaysSo() throws IOException {
         Path place = folder.resolve("lines");
-        Cli made = call(games, "new", "python", place.toString(), "--game", "sumo", "--protocol", "codingame");
-        assertEquals(ExitStatus.DONE, made.status(), made.err());
+        Cli made = call(games, "new", "python", place.toString(), "--game", "sumo", "--protocol", "codingame").done();
         assertEquals("steward: warning: sumo does not declare its lines: the bot says where to read and answer them\n",
             made.err());
         String bot = Files.readString(place.resolve("bot.py"));
@@ -241,8 +227,6 @@ class OutsideGameTest {
             out.putNextEntry(new JarEntry("META-INF/services/steward.game.GameType"));
             out.write("no.such.Type\n".getBytes());
         }
-        Cli cli = call(broken, "scene");
-        assertEquals(ExitStatus.UNUSABLE, cli.status());
-        assertTrue(cli.err().contains("whose game cannot be loaded"), cli.err());
+        call(broken, "scene").assertRefused("whose game cannot be loaded");
     }
 }

@@ -1,5 +1,7 @@
 package steward.cli;
 
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -10,7 +12,7 @@ import steward.bot.command.CommandLine;
 /** Bot programs for tests: shell scripts, which start at once. They play with one pod. */
 public final class ShellBots {
 
-    private static final String ANSWER = """
+    static final String ANSWER = """
         #!/bin/sh
         # arguments: x y, the turn from which on it answers nonsense (0: never), a file for what it was sent
         x=$1 y=$2 turns=0
@@ -32,6 +34,7 @@ public final class ShellBots {
 
     /** @param folder the scripts go there */
     public ShellBots(Path folder) {
+        assumeRunnable();
         script = folder.resolve("pod.sh");
         try {
             Files.writeString(script, ANSWER);
@@ -57,16 +60,34 @@ public final class ShellBots {
 
     /** Writes {@code short.json}, a duel of 8 turns in which nobody is late. */
     public static void shortDuel(Path folder) throws IOException {
-        Files.writeString(folder.resolve("short.json"), Files.readString(Path.of("config/scenes/duel.json"))
-            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 8")
+        shortDuel(folder, 8);
+    }
+
+    /** As {@link #shortDuel(Path)}, of other turns. */
+    public static void shortDuel(Path folder, int turns) throws IOException {
+        assumeRunnable();
+        Files.writeString(folder.resolve("short.json"), shortDuel(turns));
+    }
+
+    static String shortDuel(int turns) throws IOException {
+        return Files.readString(Path.of("config/scenes/duel.json"))
+            .replace("\"maximumTurns\": 200", "\"maximumTurns\": " + turns)
             .replace("\"answerMs\": 75", "\"answerMs\": 30000")
-            .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000"));
+            .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000");
     }
 
     /** Lets a duel draw its places from the seed, so that no two games are repeats. */
     public static void drawn(Path scene) throws IOException {
-        Files.writeString(scene, Files.readString(scene).replace("\"turnsWithoutCheckpoint\"",
-            "\"jitter\": 30, \"turnsWithoutCheckpoint\""));
+        Files.writeString(scene, drawn(Files.readString(scene)));
+    }
+
+    static String drawn(String duel) {
+        return duel.replace("\"turnsWithoutCheckpoint\"", "\"jitter\": 30, \"turnsWithoutCheckpoint\"");
+    }
+
+    /** Skips a test where the scripts cannot run. */
+    static void assumeRunnable() {
+        assumeTrue(runnable(), "skipped: there is no /bin/sh");
     }
 
     /** True if the scripts can run here. */

@@ -8,7 +8,7 @@ import java.nio.file.Path;
 /** Bot programs in shell that speak the text protocol of one pod each, for the scene {@code duel}. */
 public final class TextShellBots {
 
-    private static final String SCRIPT = """
+    static final String SCRIPT = """
         #!/bin/sh
         # arguments: drive or stay, the turn in which it answers nonsense (0: never)
         turn=0
@@ -25,6 +25,7 @@ public final class TextShellBots {
 
     /** @param folder the script goes there */
     public TextShellBots(Path folder) {
+        ShellBots.assumeRunnable();
         script = folder.resolve("text pod.sh");
         try {
             Files.writeString(script, SCRIPT);

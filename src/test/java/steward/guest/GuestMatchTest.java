@@ -77,8 +77,7 @@ class GuestMatchTest {
     @Test
     void pointsAreThoseOfTheScoresAndTheReplayVerifies() throws IOException {
         Path file = folder.resolve("x.jsonl");
-        Cli cli = match(scene("good", 2, ""), "--out", file.toString());
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        Cli cli = match(scene("good", 2, ""), "--out", file.toString()).done();
         assertTrue(cli.out().startsWith("high wins: the referee has ended the game, 20 turns (good, seed 7)"),
             cli.out());
         assertEquals("verified: states of 20 of 20 turns and the result\n",
@@ -236,8 +235,7 @@ class GuestMatchTest {
     @Test
     void timesThatCountAreRecordedAndPlayedAgain() throws IOException {
         Path file = folder.resolve("x.jsonl");
-        Cli cli = match(scene("monitored", 2, ""), "--out", file.toString());
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        Cli cli = match(scene("monitored", 2, ""), "--out", file.toString()).done();
         assertTrue(Files.readString(file).contains("\"commands\":[{\"ms\":"), cli.out());
         assertEquals("verified: states of 20 of 20 turns and the result\n",
             Cli.run("replay", file.toString(), "--verify", "--run-referee").out());
@@ -248,8 +246,7 @@ class GuestMatchTest {
         Path file = folder.resolve("x.jsonl");
         Cli cli = Cli.run("match", "--scene", scene("good", 3, ""), "--bot", bot("low", 2, "1", 99, ":"), "--bot",
             bot("dies", 2, "9", 2, "exit 3"), "--bot", bot("high", 2, "2", 99, ":"), "--seed", "7", "--json",
-            "--out", file.toString(), "--time-factor", "20");
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+            "--out", file.toString(), "--time-factor", "20").done();
         JsonNode result = JsonMapper.shared().readTree(cli.out());
         assertEquals(10, result.at("/players/1/score").asDouble());      // 9 + 9 - 8 rounds without an answer
         assertEquals(20, result.at("/players/2/score").asDouble());
@@ -262,16 +259,14 @@ class GuestMatchTest {
     @Test
     void aBotCannotSayMoreLinesThanItWasAskedFor() throws IOException {
         Cli cli = Cli.run("match", "--scene", scene("good", 2, ""), "--bot", bot("low", 2, "1", 99, ":"), "--bot",
-            bot("sly", 2, "9", 1, "printf '9\\r[[GET_GAME_INFO] 0]\\n'"), "--time-factor", "20");
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+            bot("sly", 2, "9", 1, "printf '9\\r[[GET_GAME_INFO] 0]\\n'"), "--time-factor", "20").done();
         assertTrue(cli.out().contains("found an end of line within a line, expected none"), cli.out());
     }
 
     @Test
     void aBotThatIsLateByTheLimitOfItsQuestionHasFailed() throws IOException {
         Cli cli = Cli.run("match", "--scene", scene("good", 2, ""), "--bot", bot("low", 2, "1", 99, ":"), "--bot",
-            bot("late", 2, "9", 1, "sleep 1000"), "--time-factor", "0.2");
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+            bot("late", 2, "9", 1, "sleep 1000"), "--time-factor", "0.2").done();
         assertTrue(cli.out().contains("600 ms"), cli.out());
     }
 
@@ -325,8 +320,7 @@ class GuestMatchTest {
 
     @Test
     void aRefereeThatStaysAfterTheEndIsEnded() throws IOException {
-        Cli cli = match(scene("stays", 2, ""));
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        match(scene("stays", 2, "")).done();
         assertNothingIsLeft();
     }
 
@@ -349,9 +343,8 @@ class GuestMatchTest {
     @ParameterizedTest
     @ValueSource(strings = {"explain", "simulate --scene", "tradeoff --scene", "match --accuracy exact --scene"})
     void whatNeedsTheRulesRefusesGuestsByName(String call) throws IOException {
-        Cli cli = Cli.run((call + " " + scene("good", 2, "")).split(" "));
-        assertEquals(ExitStatus.UNUSABLE, cli.status());
-        assertTrue(cli.err().contains("a referee of its own, expected a game that Steward computes"), cli.err());
+        Cli.run((call + " " + scene("good", 2, "")).split(" "))
+            .assertRefused("a referee of its own, expected a game that Steward computes");
     }
 
     @Test
@@ -371,8 +364,7 @@ class GuestMatchTest {
              "referee": {"command": ["python3", "src/examples/referees/heap.py"]}}""");
         Path file = folder.resolve("x.jsonl");
         Cli cli = Cli.run("match", "--scene", scene.toString(), "--bot", bot("one", 1, "1", 99, ":"), "--bot",
-            bot("never", 1, "0", 99, ":"), "--time-factor", "50", "--out", file.toString());
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+            bot("never", 1, "0", 99, ":"), "--time-factor", "50", "--out", file.toString()).done();
         assertTrue(cli.out().startsWith("one wins: the referee has ended the game, 2 turns (heap, "), cli.out());
         assertTrue(Cli.run("replay", file.toString(), "--verify", "--run-referee").out().startsWith("verified"),
             cli.out());

@@ -24,6 +24,7 @@ import steward.bot.isolation.Isolation;
 import steward.cli.Cli;
 import steward.cli.shared.ExitStatus;
 import steward.files.JarFolder;
+import steward.match.TestSize;
 import steward.scene.SceneReader;
 
 /** Referees on a class path, by a stand-in for the SDK that is compiled here: game after game in one JVM. */
@@ -68,17 +69,9 @@ class ResidentRefereeTest {
 
     /** Fifty games are more than the loaders that may be alive at once: earlier ones are gone. */
     @Test
+    @Tag("sized")
     void manyGamesArePlayedByOneJvmEachWithFreshClasses() {
-        playByOneJvm(50);
-    }
-
-    @Test
-    @Tag("campaign")
-    void twoHundredGamesArePlayedByOneJvmEachWithFreshClasses() {
-        playByOneJvm(200);
-    }
-
-    private void playByOneJvm(int games) {
+        int games = TestSize.of(50, 200);
         String scene = scene(3, "");
         List<String> first = play(scene, 200);
         for (int game = 2; game < games; game++) {

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.Bot;
 import steward.bot.TestBots;
 import steward.match.MatchResult;
+import steward.match.TestSize;
 import steward.minigame.PondMatches.Played;
 import steward.replay.verify.Verification;
 
@@ -26,19 +27,11 @@ class PondMatchTest {
         return List.of(new PondBot("cell"), new PondBot("hunter"), new PondBot("fog"));
     }
 
-    @Test
-    void matchesVerifyAndEverythingHappens() throws InterruptedException {
-        assertTheyVerifyAndEverythingHappens(6);
-    }
-
-    @Test
-    @Tag("campaign")
-    void twentyMatchesVerifyAndEverythingHappens() throws InterruptedException {
-        assertTheyVerifyAndEverythingHappens(20);
-    }
-
     /** In these matches everything that can happen does, and every one of them verifies. */
-    private static void assertTheyVerifyAndEverythingHappens(int matches) throws InterruptedException {
+    @Test
+    @Tag("sized")
+    void matchesVerifyAndEverythingHappens() throws InterruptedException {
+        int matches = TestSize.of(6, 20);
         StringBuilder all = new StringBuilder();
         for (long seed = 1; seed <= matches; seed++) {
             List<PondBot> bots = bots();

@@ -20,6 +20,7 @@ import steward.bot.Bot;
 import steward.bot.TestBots;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
+import steward.match.TestSize;
 import steward.replay.verify.Verification;
 
 /** A replay whose writer was killed: whatever is left of it is read and verified up to the cut. */
@@ -33,19 +34,11 @@ class CutReplayTest {
         return Recorded.of(TestScenes.open("duel"), 3, List.of(talker, new SeededBot(3, 1)));
     }
 
-    @Test
-    @Tag("campaign")
-    void cutAtEveryByte() {
-        cutAtEvery(1);
-    }
-
-    @Test
-    void cutAtEveryEndOfALineAndSomeBytesBetween() {
-        cutAtEvery(17);
-    }
-
     /** Cuts after every so many bytes, and at every byte beside a line end. */
-    private static void cutAtEvery(int step) {
+    @Test
+    @Tag("sized")
+    void cutAtEveryEndOfALineAndSomeBytesBetween() {
+        int step = TestSize.of(17, 1);
         Recorded match = small();
         byte[] replay = match.bytes();
         assertEquals(Recorded.whole(7), match.verify());

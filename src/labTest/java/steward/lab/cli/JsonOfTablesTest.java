@@ -27,8 +27,7 @@ class JsonOfTablesTest {
         "bench --quick --only crowds --bodies 20                            | rows   | section, name, perSecond, ratio",
         "stability --quick --case rounding --rung double                | rows   | case, rung, verdict"})
     void aTableIsAnArrayOfObjects(String call, String array, String fields) {
-        Cli cli = Cli.run(steward.bot.command.CommandLine.split(call + " --json").toArray(String[]::new));
-        assertEquals(0, cli.status(), cli.err());
+        Cli cli = Cli.run(steward.bot.command.CommandLine.split(call + " --json").toArray(String[]::new)).done();
         JsonNode rows = cli.json().get(array);
         assertFalse(rows.isEmpty(), cli.out());
         for (JsonNode row : rows) {

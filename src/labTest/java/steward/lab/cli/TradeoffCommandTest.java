@@ -16,7 +16,6 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Cli;
 import steward.cli.Main;
-import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.lab.tradeoff.TradeoffScene;
 import steward.lab.tradeoff.report.TradeoffReport;
@@ -46,8 +45,7 @@ class TradeoffCommandTest {
     @Tag("process")
     void theTableAndTheFilesHoldEveryRung() throws IOException {
         Path out = folder.resolve("results");
-        Cli cli = tradeoff(true, "--scene", "duel", "--out", out.toString());
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        Cli cli = tradeoff(true, "--scene", "duel", "--out", out.toString()).done();
         assertTrue(cli.out().startsWith("duel: "), cli.out());
         for (Accuracy rung : Accuracy.ladder()) {
             assertEquals(1, cli.out().lines().filter(line -> line.startsWith("  " + rung + " ")).count(), cli.out());
@@ -60,10 +58,7 @@ class TradeoffCommandTest {
             assertTrue(Files.size(out.resolve(name)) > 0, name);
         }
         assertEquals(1 + Accuracy.ladder().size(), Files.readAllLines(out.resolve("tradeoff.csv")).size());
-        Cli again = tradeoff(false, "--scene", "duel", "--out", out.toString());
-        assertEquals(ExitStatus.UNUSABLE, again.status());
-        assertTrue(again.err().contains("exists already, and is kept"), again.err());
-        assertEquals("", again.out());
+        tradeoff(false, "--scene", "duel", "--out", out.toString()).assertRefused("exists already, and is kept");
     }
 
     @Test
@@ -81,9 +76,7 @@ class TradeoffCommandTest {
     }
 
     private static void refused(String message, String... more) {
-        List<String> words = new ArrayList<>(List.of("tradeoff"));
-        words.addAll(List.of(more));
-        Cli.run(false, words.toArray(new String[0])).assertRefused(message);
+        Cli.run(List.of("tradeoff"), more).assertRefused(message);
     }
 
     /** An interrupted run leaves the scenes that were measured, in files that are whole. */

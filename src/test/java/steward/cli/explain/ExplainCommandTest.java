@@ -13,7 +13,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.cli.Cli;
-import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.scene.Part;
 import steward.scene.SceneFiles;
@@ -94,9 +93,7 @@ class ExplainCommandTest {
 
         Path impossible = Files.writeString(folder.resolve("impossible.json"),
             walled.replace("\"perPlayer\": 2", "\"perPlayer\": 8"));
-        Cli refused = Cli.run("explain", impossible.toString());
-        assertEquals(ExitStatus.UNUSABLE, refused.status());
-        assertTrue(refused.err().startsWith("steward: " + impossible
-            + ":23:26: race.maps[0].checkpoints[0]: found pod "), refused.err());
+        Cli.run("explain", impossible.toString()).assertRefused("" + impossible
+            + ":23:26: race.maps[0].checkpoints[0]: found pod ");
     }
 }

@@ -59,36 +59,6 @@ class LeagueCommandTest {
     }
 
     @Test
-    void botsAreAddedRenamedRetiredAndListed() {
-        done("init", "TMP/a", "--scene", "duel");
-        done("add", "TMP/a", "one=sh -c 'exit 1'");
-        done("add", "TMP/a", "two=sh -c 'exit 2'", "--random");
-        assertTrue(refused("add", "TMP/a", "three=sh -c 'exit 2'").contains("found the program of 'two'"));
-        assertTrue(refused("add", "TMP/a", "one=sh -c 'exit 3'").contains("found a bot 'one' in the league"));
-        done("rename", "TMP/a", "one", "uno");
-        done("retire", "TMP/a", "uno");
-        assertEquals("2 bots in a league of duel, adaptive\n  uno (retired): sh -c 'exit 1'\n"
-            + "  two (random): sh -c 'exit 2'\n", done("list", "TMP/a"));
-        done("retire", "TMP/a", "uno", "--back");
-        assertFalse(done("list", "TMP/a").contains("retired"));
-        assertTrue(refused("retire", "TMP/a", "due").contains("found no bot 'due' in the league, expected one of uno"));
-    }
-
-    @Test
-    @Tag("slow")
-    void aRunTellsAgainstABotAsTheTableDoes() {
-        done("init", "TMP/a", "--scene", "duel", "--seed", "1");
-        List.of("racer", "regular", "veteran").forEach(bot -> done("add", "TMP/a", "builtin:" + bot));
-        done("retire", "TMP/a", "veteran");
-        String played = done("run", "TMP/a", "--games", "4", "--anchor", "regular=1500", "--against", "racer");
-        String table = done("table", "TMP/a", "--anchor", "regular=1500", "--against", "racer");
-        assertTrue(table.contains("regular is the anchor.") && table.contains("to racer"), table);
-        assertTrue(played.startsWith(table.substring(0, table.indexOf("ranks: what the games"))), played);
-        assertEquals("steward: --anchor: found no bot 'veteran' in the table, expected one of racer, regular\n",
-            refused("table", "TMP/a", "--anchor", "veteran"), "it has no games");
-    }
-
-    @Test
     @Tag("slow")
     void gamesThatAreExportedAndImportedMakeTheSameTable() throws IOException {
         generated("a", 300);
@@ -277,25 +247,6 @@ class LeagueCommandTest {
             one.difference(Season.of("duel", "2", "limits", "rules", 2, false)));
         assertEquals("the scene is another one (crowd, was duel)",
             one.difference(Season.of("crowd", "2", "limits", "rules", 2, false)));
-    }
-
-    @Test
-    void aLeagueOfAnotherSceneBeginsANewSeasonOrIsRefused() throws IOException {
-        generated("a", 10);
-        Path settings = folder.resolve("a/league.json");
-        Files.writeString(settings, Files.readString(settings).replace("\"duel\"", "\"walled-race\""));
-        done("add", "TMP/a", "one=builtin:racer");
-        done("add", "TMP/a", "two=builtin:regular");
-        assertEquals("steward: TMP/a: the scene is another one (walled-race, was duel), and the league has 10 games of "
-            + "before; expected it as it was, or a new season, as 'steward league run TMP/a' can begin one; "
-            + "--new-season begins a new table and keeps the old games\n", refused("run", "TMP/a", "--games", "10"));
-    }
-
-    @Test
-    void pruningSaysSizesAndRemovesOnlyReplays() throws IOException {
-        generated("a", 10);
-        assertEquals("Removed: 0 replays, 0 B. Kept: 0 replays, 0 B.\n", done("prune", "TMP/a", "--keep", "none"));
-        assertTrue(done("table", "TMP/a").startsWith("10 games of duel"));
     }
 
     @Test

@@ -3,7 +3,6 @@ package steward.cli.league;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
@@ -30,6 +29,7 @@ import steward.league.LeagueFolder;
 import steward.league.Season;
 import steward.league.store.GameQueries;
 import steward.league.store.GameStore;
+import steward.match.TestSize;
 
 /**
  * Leagues of shell bots, which are deterministic, in programs of their own: killed at any moment, changed in between,
@@ -49,7 +49,6 @@ class LeagueProcessTest {
 
     @BeforeEach
     void prepare() throws IOException {
-        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
         ShellBots.shortDuel(folder);
         new TextShellBots(folder);
     }
@@ -102,17 +101,9 @@ class LeagueProcessTest {
     }
 
     @Test
+    @Tag("sized")
     void aLeagueThatIsKilledComesToTheSameGames() throws IOException, InterruptedException {
-        assertTheSameGames(1);
-    }
-
-    @Test
-    @Tag("campaign")
-    void aLeagueThatIsKilledOftenComesToTheSameGames() throws IOException, InterruptedException {
-        assertTheSameGames(Integer.getInteger("steward.turns", 10));
-    }
-
-    private void assertTheSameGames(int kills) throws IOException, InterruptedException {
+        int kills = TestSize.of(1, Integer.getInteger("steward.turns", 10));
         String games = Integer.toString(kills * GAMES_A_KILL);
         make("whole");
         here(0, "run", "TMP/whole", "--games", games, "--threads", "2");

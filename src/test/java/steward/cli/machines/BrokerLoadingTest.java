@@ -3,7 +3,6 @@ package steward.cli.machines;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
@@ -92,10 +91,7 @@ class BrokerLoadingTest {
     }
 
     private void prepare() throws IOException {
-        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
-        Files.writeString(folder.resolve("short.json"), Files.readString(Path.of("config/scenes/duel.json"))
-            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 5")
-            .replace("\"answerMs\": 75", "\"answerMs\": 30000"));
+        ShellBots.shortDuel(folder, 5);
         new TextShellBots(folder);
         Cli.league(folder, "init", "TMP/served", "--scene", "TMP/short.json").done();
         for (String bot : List.of("a=codingame:sh 'text pod.sh' drive 0", "b=codingame:sh 'text pod.sh' stay 0")) {

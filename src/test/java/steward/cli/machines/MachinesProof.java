@@ -18,6 +18,7 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import steward.cli.FreePort;
 import steward.cli.Main;
+import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
 import steward.cli.streams.Streams;
 import steward.files.InputException;
@@ -73,10 +74,7 @@ public class MachinesProof {
         this.games = games;
         this.stopSeconds = stopSeconds;
         this.pauseMs = pauseMs;
-        Files.writeString(folder.resolve("short.json"), Files.readString(Path.of("config/scenes/duel.json"))
-            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 20")
-            .replace("\"answerMs\": 75", "\"answerMs\": 60000")
-            .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000"));
+        ShellBots.shortDuel(folder, 20);
         Files.writeString(folder.resolve("pause.sh"), "#!/bin/sh\nsleep $1; shift; exec \"$@\"\n");
     }
 

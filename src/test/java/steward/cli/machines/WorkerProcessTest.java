@@ -3,7 +3,6 @@ package steward.cli.machines;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.File;
@@ -71,10 +70,7 @@ class WorkerProcessTest {
 
     @BeforeEach
     void prepare() throws IOException {
-        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
-        Files.writeString(folder.resolve("short.json"), Files.readString(Path.of("config/scenes/duel.json"))
-            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 5").replace("\"answerMs\": 75", "\"answerMs\": 60000")
-            .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000"));
+        ShellBots.shortDuel(folder, 5);
         ShellBots.drawn(folder.resolve("short.json"));
         before("");
         TextShellBots bots = new TextShellBots(folder);
@@ -114,8 +110,7 @@ class WorkerProcessTest {
     }
 
     private static String done(String... words) {
-        Cli cli = Cli.run(Stream.concat(Stream.of("league"), Stream.of(words)).toArray(String[]::new));
-        assertEquals(0, cli.status(), cli.err());
+        Cli cli = Cli.run(List.of("league"), words).done();
         return cli.out() + cli.err();
     }
 
@@ -212,8 +207,7 @@ class WorkerProcessTest {
     void endsAfterSoManyGamesOrSoMuchTimeOrWhenItIsIdleOrAFileSaysSo() throws Exception {
         before("sleep 0.2");
         CompletableFuture<String> league = serve(14, 0);
-        Cli three = end(here("three", "--games", "3", "--threads", "2"));
-        assertEquals(0, three.status(), three.err());
+        Cli three = end(here("three", "--games", "3", "--threads", "2")).done();
         assertEquals("3 games played\n", three.out());
         Path stop = folder.resolve("stop");
         CompletableFuture<Cli> told = here("told", "--stop-file", stop.toString(), "--threads", "1", "--json");
@@ -223,8 +217,7 @@ class WorkerProcessTest {
         assertTrue(told.join().err().matches("(?s)\\{\"time\":\"\\d{4}-[^\"]*Z\",\"event\":\"joined 127.0.0.1:.*"),
             told.join().err());
         final long began = System.nanoTime();
-        Cli brief = end(here("brief", "--for", "1s", "--threads", "1"));
-        assertEquals(0, brief.status(), brief.err());
+        Cli brief = end(here("brief", "--for", "1s", "--threads", "1")).done();
         assertTrue(System.nanoTime() - began >= TimeUnit.SECONDS.toNanos(1));
         assertFalse(league.isDone(), "there is no time for all that is left");
         CompletableFuture<Cli> idle = here("idle", "--idle", "1s");

@@ -3,12 +3,10 @@ package steward.cli.options;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -33,14 +31,10 @@ class AccuracyOptionTest {
 
     /** Two pods that meet in the middle of the way, so that the rung matters. */
     private Cli duel(Path file, String... more) {
-        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         ShellBots bots = new ShellBots(folder);
-        List<String> call = new ArrayList<>(List.of("match", "--scene", "duel", "--no-deadline", "--seed", "7",
-            "--bot", bots.driver("a", "5500 3000"), "--bot", bots.driver("b", "5500 3000"), "--out", file.toString()));
-        call.addAll(List.of(more));
-        Cli cli = Cli.run(call.toArray(String[]::new));
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
-        return cli;
+        return Cli.run(List.of("match", "--scene", "duel", "--no-deadline", "--seed", "7",
+            "--bot", bots.driver("a", "5500 3000"), "--bot", bots.driver("b", "5500 3000"), "--out", file.toString()),
+            more).done();
     }
 
     private static JsonNode scene(Path replay) throws IOException {

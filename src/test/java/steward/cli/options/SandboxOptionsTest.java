@@ -9,7 +9,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -35,15 +34,12 @@ class SandboxOptionsTest {
     private static void assumeWorks(SandboxLevel level) {
         String problem = SandboxSupport.problem(level);
         assumeTrue(problem == null, "skipped: level " + level.word() + " does not work here: " + problem);
-        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
     }
 
     private Cli match(String bot, String... more) {
-        List<String> call = new ArrayList<>(List.of("match", "--scene", "duel", "--seed", "7", "--no-deadline",
+        return Cli.run(List.of("match", "--scene", "duel", "--seed", "7", "--no-deadline",
             "--json",
-            "--bot", bot, "--bot", new ShellBots(folder).driver("other", ShellBots.NOWHERE)));
-        call.addAll(Arrays.asList(more));
-        return Cli.run(call.toArray(String[]::new));
+            "--bot", bot, "--bot", new ShellBots(folder).driver("other", ShellBots.NOWHERE)), more);
     }
 
     /** A bot that says something on stderr and fails. */

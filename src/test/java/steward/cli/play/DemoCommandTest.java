@@ -11,7 +11,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.command.BuiltinBots;
 import steward.cli.Cli;
-import steward.cli.shared.ExitStatus;
 
 /** {@code steward demo}. */
 @Tag("process")
@@ -25,8 +24,7 @@ class DemoCommandTest {
         assumeTrue(BuiltinBots.installed().names().containsAll(List.of("racer", "veteran")),
             "the bundled bots are not on the class path");
         Path file = folder.resolve("a folder/demo.jsonl");
-        Cli cli = Cli.run("demo", "--out", file.toString());
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        Cli cli = Cli.run("demo", "--out", file.toString()).done();
         assertTrue(cli.out().startsWith("steward match --scene mad-pod-racing --bot builtin:veteran "), cli.out());
         assertTrue(cli.out().contains("    --time-factor 10 --out '" + file + "' --overwrite\n"), cli.out());
         assertTrue(cli.out().contains(" turns played again, every one the same to the last bit\n"), cli.out());

@@ -2,14 +2,11 @@ package steward.cli.play;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -19,8 +16,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
-import steward.league.LeagueFolder;
-import steward.league.store.GameStore;
 
 /** Bots with limits of their own, in a scene that gives them half a minute and more. */
 @Tag("process")
@@ -38,22 +33,13 @@ class OwnLimitsProcessTest {
 
     @BeforeEach
     void makeScene() throws IOException {
-        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
         ShellBots.shortDuel(folder);
         scene = folder.resolve("short.json").toString();
         driver = new ShellBots(folder).driver("still", ShellBots.NOWHERE);
     }
 
     private Cli run(String call, String... more) {
-        return Cli.run(Stream.concat(Stream.of(call.replace("TMP", folder.toString()).split(" ")), Stream.of(more))
-            .toArray(String[]::new));
-    }
-
-    private List<String> versions() {
-        try (GameStore store = GameStore.read(new LeagueFolder(folder.resolve("night")))) {
-            return store.versions().stream().map(version -> version.display() + " " + store.gamesOf(version.id()) + " "
-                + version.timeLimit()).sorted().collect(Collectors.toList());
-        }
+        return Cli.run(List.of(call.replace("TMP", folder.toString()).split(" ")), more);
     }
 
     /** Every command that starts bots by name: 30 ms, times 2. */
@@ -112,42 +98,5 @@ class OwnLimitsProcessTest {
         run("replay " + replay + " --verify").done();
         String shown = run("replay " + replay).done().out();
         assertTrue(shown.contains(", answers within 40000 ms, the first within 50000 ms"), shown);
-    }
-
-    @Test
-    void otherLimitsAreAnotherVersionInALeagueAndWhereItsGamesGo() throws IOException {
-        run("league init TMP/night --seed 5 --scene " + scene).done();
-        run("league add TMP/night --time-limit 40000,50000", driver).done();
-        run("league add TMP/night --time-limit 45000", driver.replace("still=", "same=")).done();
-        Cli twin = run("league add TMP/night --time-limit 45000", driver.replace("still=", "twin="));
-        twin.assertRefused("found the program of 'same'");
-        run("league run TMP/night --games 2").done();
-        Path settings = folder.resolve("night/league.json");
-        Files.writeString(settings, Files.readString(settings).replace("\"answerMs\": 45000", "\"answerMs\": 46000"));
-        String told = run("league run TMP/night --games 4").done().err();
-        assertTrue(told.contains("same changed after 2 games: new version same#2"), told);
-        assertEquals(List.of("same 2 45000", "same#2 2 46000", "still 4 40000,50000"), versions());
-        String listed = run("league list TMP/night").done().out();
-        assertTrue(listed.contains("same#2: 2 games, program ") && listed.contains(", answers within 46000 ms\n"),
-            listed);
-        run("league verify TMP/night").done();
-        run("sprt --games 2 --into TMP/night --time-limit same=47000 --time-limit still=40000,50000 --scene " + scene,
-            "--bot", driver.replace("still=", "same="), "--bot", driver).done();
-        assertEquals(List.of("same 2 45000", "same#2 2 46000", "same#3 2 47000", "still 6 40000,50000"), versions());
-        run("league export TMP/night --out TMP/games.jsonl").done();
-        List<String> before = versions();
-        Files.delete(folder.resolve("night/league.db"));
-        run("league import TMP/night TMP/games.jsonl").done();
-        assertEquals(before, versions());
-    }
-
-    /** Bundled bots have no files of the call's, and were another version where a call named them. */
-    @Test
-    void aBundledBotIsTheVersionThatTheLeagueHas() {
-        run("league init TMP/night --seed 5 --scene " + scene).done();
-        run("league add TMP/night builtin:racer", driver).done();
-        run("league run TMP/night --games 2").done();
-        run("match --games 1 --into TMP/night --scene " + scene, "--bot", "builtin:racer", "--bot", driver).done();
-        assertEquals(List.of("racer 3 null", "still 3 null"), versions());
     }
 }

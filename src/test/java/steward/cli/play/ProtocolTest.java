@@ -3,7 +3,6 @@ package steward.cli.play;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -14,13 +13,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
-import steward.bot.command.BuiltinBots;
 import steward.bot.process.BotProcess;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
-import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.contest.Contest;
 import steward.files.InputException;
@@ -65,44 +60,13 @@ class ProtocolTest {
 
     @BeforeEach
     void bots() throws IOException {
-        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         lines = "sh " + Files.writeString(folder.resolve("lines.sh"), LINES);
         shell = new ShellBots(folder);
     }
 
     private static JsonNode match(String... arguments) {
-        String[] all = new String[arguments.length + 5];
-        System.arraycopy(new String[] {"match", "--scene=duel", "--seed=1", "--no-deadline", "--json"}, 0, all, 0, 5);
-        System.arraycopy(arguments, 0, all, 5, arguments.length);
-        Cli cli = Cli.run(all);
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
-        return cli.json();
-    }
-
-    @ParameterizedTest
-    @CsvSource({"json, codingame:, ''", "codingame, '', json:", "json, codingame:, json:",
-        "codingame, codingame:, json:"})
-    void prefixesAndTheOptionSayWhatABotSpeaks(String usual, String linesPrefix, String jsonPrefix) {
-        JsonNode result = match("--protocol", usual, "--bot", "a=" + linesPrefix + lines,
-            "--bot", shell.driver("b", ShellBots.CHECKPOINT).replace("b=", "b=" + jsonPrefix));
-        for (JsonNode player : result.get("players")) {
-            assertTrue(player.get("fault").isNull(), player.toString());
-        }
-    }
-
-    @Test
-    void builtinBotsSpeakJsonWhateverTheOptionSays() {
-        JsonNode result = match("--protocol=codingame", "--bot=builtin:racer", "--bot", lines);
-        assertTrue(result.get("players").get(0).get("fault").isNull(), result.toString());
-        assertTrue(result.get("players").get(1).get("fault").isNull(), result.toString());
-    }
-
-    @Test
-    void theWrongProtocolIsAFault() {
-        JsonNode result = match("--bot", lines, "--bot", "codingame:" + lines);
-        String fault = result.get("players").get(0).get("fault").stringValue();
-        assertTrue(fault.startsWith("found 10500, expected an object"), fault);
-        assertEquals(1, result.get("winner").intValue());
+        return Cli.run(List.of("match", "--scene=duel", "--seed=1", "--no-deadline", "--json"), arguments).done()
+            .json();
     }
 
     @Test
@@ -136,26 +100,6 @@ class ProtocolTest {
         assertEquals(2L * turns, frames.lines().count(), "a single-pod turn is two lines, and there is no setup");
     }
 
-    @Test
-    void wrongValuesAreRefused() {
-        for (List<String> call : List.of(List.of("--protocol", "morse"), List.of("--protocol", ""),
-            List.of("--protocol", "JSON"))) {
-            Cli cli = Cli.run("match", call.get(0), call.get(1), "--bot", lines, "--bot", lines);
-            assertEquals(ExitStatus.UNUSABLE, cli.status());
-            assertTrue(cli.err().startsWith("steward: --protocol: found '" + call.get(1)
-                + "', expected json or codingame"), cli.err());
-        }
-        Cli cli = Cli.run("match", "--bot", lines, "--bot", lines, "--protocol");
-        assertEquals(ExitStatus.UNUSABLE, cli.status());
-        assertTrue(cli.err().contains("--protocol"), cli.err());
-        cli = Cli.run("match", "--bot", "codingame:", "--bot", lines);
-        assertEquals(ExitStatus.UNUSABLE, cli.status());
-        assertTrue(cli.err().contains("there is no command after 'codingame:'"), cli.err());
-        cli = Cli.run("match", "--protocol=codingame", "--bot", "cpp:./a.out", "--bot", lines);
-        assertEquals(ExitStatus.UNUSABLE, cli.status());
-        assertTrue(cli.err().contains("the known prefixes are builtin: json: codingame:"), cli.err());
-    }
-
     /** A match in which one bot uses a protocol that the scene does not have is refused before anything starts. */
     @Test
     void aSceneWithoutTheProtocolIsRefusedUpFront() {
@@ -171,18 +115,6 @@ class ProtocolTest {
         assertEquals("the scene \"duel\" has no codingame protocol, expected bots that speak json",
             assertThrows(IllegalArgumentException.class, () -> Referee.of(mute, 1, seats, TimeControl.UNLIMITED,
                 new MatchListener() { })).getMessage());
-    }
-
-    /** A bundled bot of another game would fail in its first turn. */
-    @Test
-    void aBuiltinBotOfAnotherGameIsRefusedUpFront() {
-        assumeTrue(!BuiltinBots.installed().names().isEmpty(), "the builtin bots are not on the class path");
-        assertEquals(2, Cli.run("check", "builtin:captain").status());
-        Cli cli = Cli.run("match", "--scene", "mean-max", "--bot", "builtin:gatherer", "--bot", "builtin:marauder",
-            "--bot", "me=builtin:racer x");
-        assertEquals(ExitStatus.UNUSABLE, cli.status());
-        assertTrue(cli.err().startsWith("steward: bot 'me=builtin:racer x': found a bot of pod-race, expected one of "
-            + "mean-max; there are: gatherer, harvester, marauder"), cli.err());
     }
 
     /** A game that supports JSON only. */

@@ -2,7 +2,6 @@ package steward.cli.play;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -14,7 +13,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Main;
-import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
 
 /** {@code steward referee} as a process of its own, which a tool has started: nothing but the answer, on one stream. */
@@ -40,7 +38,6 @@ class RefereeProcessTest {
 
     @Test
     void printsTheScoresAndNothingElse() throws IOException, InterruptedException {
-        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         TextShellBots bots = new TextShellBots(folder);
         Process process = start("-scene", "duel", "--no-deadline", "-p1", bots.driver(), "-p2", bots.idler(2), "-d",
             "seed=4", "--sandbox", "off");

@@ -36,8 +36,7 @@ class SceneCommandTest {
     @Test
     void itPrintsASceneByteForByte() throws IOException {
         for (String name : SceneFiles.shipped()) {
-            Cli cli = Cli.run("scene", name);
-            assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+            Cli cli = Cli.run("scene", name).done();
             assertEquals(Files.readString(Path.of("config/scenes", name + ".json")), cli.out());
         }
     }

@@ -3,7 +3,6 @@ package steward.cli.play;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -17,6 +16,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.command.CommandLine;
 import steward.bot.process.ScriptedBots;
 import steward.cli.Cli;
@@ -40,7 +41,6 @@ class SeriesProcessTest {
 
     @BeforeEach
     void shell() {
-        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         bots = new ShellBots(folder);
         replays = folder.resolve("replays");
     }
@@ -137,19 +137,10 @@ class SeriesProcessTest {
         }
     }
 
-    @Test
-    void aReplayThatCannotGrowKeepsItsTurns() throws IOException, InterruptedException {
-        assertItCannotGrow(24);
-    }
-
-    @Test
-    @Tag("campaign")
-    void aReplayOfASeriesThatCannotGrowAndHasNoTurnIsRemoved() throws IOException, InterruptedException {
-        assertItCannotGrow(0);
-    }
-
     /** Where no file may grow beyond so many blocks of 512 bytes. */
-    private void assertItCannotGrow(int blocks) throws IOException, InterruptedException {
+    @ParameterizedTest
+    @ValueSource(ints = {24, 0})
+    void aReplayThatCannotGrowKeepsItsTurns(int blocks) throws IOException, InterruptedException {
         String said = ProcessTest.shell("ulimit -f " + blocks + "; exec " + call("--quiet"));
         Path first = replays.resolve("game-0001.jsonl");
         assertTrue(said.contains("steward: game 1 could not be brought to a result: " + first + ": cannot be written: "

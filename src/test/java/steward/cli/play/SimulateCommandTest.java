@@ -20,8 +20,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import steward.cli.Main;
 import steward.cli.ProcessTest;
 import steward.cli.shared.ExitStatus;
@@ -159,37 +157,6 @@ class SimulateCommandTest {
     private static final String STATE = "0 0 0 0 0 1 0 0\n";
     private static final String STATES = STATE + "9000 0 0 0 0 1 0 0\n9000 9000 0 0 0 1 0 0\n0 9000 0 0 0 1 0 0\n";
     private static final String MAP = "2\n100 100\n5000 5000\n";
-
-    /** MAP is the first three lines, STATES the four of a test. */
-    @ParameterizedTest
-    @CsvSource(delimiter = '|', quoteCharacter = '`', value = {
-        "garbage\\n              | 1: found checkpointCount \"garbage\", expected a whole number 2..1000",
-        "\u0001\u00ff{}\\n       | 1: found checkpointCount \"",
-        "1\\n                    | 1: found checkpointCount \"1\", expected a whole number 2..1000",
-        "2 3\\n                  | 1: found \"2 3\", expected one number",
-        "2\\n1 1\\n1 1\\n        | 3: found checkpoints 0 and 1 in the same place, expected two places",
-        "2\\n1 1\\n              | 3: found the end of the input, expected checkpoint 1: x y",
-        "2\\n1 1\\n2\\n          | 3: found \"2\", expected x y",
-        "2\\n1 1\\nNaN 2\\n      | 3: found x \"NaN\", expected a number -1e9..1e9",
-        "MAP                     | 4: found the end of the input, expected the number of tests",
-        "MAP-1\\n                | 4: found number of tests \"-1\", expected a whole number 0..2147483647",
-        "MAP1\\n                 | 5: found the end of the input, expected state of pod 0: x y vx vy angleDegrees",
-        "MAP1\\n0 0 0 0 0 1 0\\n | 5: found \"0 0 0 0 0 1 0\", expected x y vx vy angleDegrees",
-        "MAP1\\nSTATE0 0 NaN 0 0 1 0 0\\n | 6: found vx \"NaN\", expected a number -1e9..1e9",
-        "MAP1\\nSTATE\\n0 0 0 0 Infinity 1 0 0\\n | 7: found angleDegrees \"Infinity\", expected a number -1e9..1e9",
-        "MAP1\\n0 0 0 0 0 2 0 0\\n | 5: found nextCheckpointId \"2\", expected a whole number 0..1",
-        "MAP1\\n0 0 0 0 0 1 4 0\\n | 5: found shield \"4\", expected a whole number 0..3",
-        "MAP1\\n0 0 0 0 0 1 0 2\\n | 5: found boosted \"2\", expected a whole number 0..1",
-        "MAP1\\nSTATES           | 9: found the end of the input, expected command of pod 0",
-        "MAP1\\nSTATES1 2\\n     | 9: found \"1 2\", expected targetX targetY thrust|SHIELD|BOOST",
-        "MAP1\\nSTATES1 2 201\\n | 9: found thrust (or SHIELD or BOOST) \"201\", expected a whole number 0..200",
-        "MAP1\\nSTATES1 nan 5\\n | 9: found targetY \"nan\", expected a number -1e9..1e9",
-        "MAP1\\nSTATES1 2 3\\n1 2 SHIELD\\n1 2 BOOST\\n | 12: found the end of the input, expected command of pod 3"})
-    void aWrongInputIsToldWithItsLine(String input, String expected) {
-        String text = input.replace("\\n", "\n").replace("MAP", MAP).replace("STATES", STATES).replace("STATE", STATE);
-        String problem = Simulation.problemOf(text);
-        assertTrue(problem.startsWith("input line " + expected), problem);
-    }
 
     @Test
     @Tag("process")

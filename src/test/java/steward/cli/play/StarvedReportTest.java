@@ -10,13 +10,9 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import steward.bot.FaultMessages;
 import steward.bot.TimeBasis;
 import steward.bot.TimeSpent;
-import steward.cli.Cli;
-import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.cli.streams.Colour;
 import steward.cli.streams.Streams;
@@ -131,17 +127,5 @@ class StarvedReportTest {
         assertEquals(0, json.get("playedAgain").intValue());
         assertTrue(json.get("list").get(0).get("lateAnswers").get(0).get("time").get("starved").booleanValue());
         assertEquals(53, json.get("failures").get(0).get("time").get("waitedMs").doubleValue());
-    }
-
-    @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {
-        "match --bot false --bot false --games 2 --hiccups never | --hiccups: found 'never', expected replay or count",
-        "match --bot false --bot false --time clock | --time: found 'clock', expected wall or cpu",
-        "match --bot false --bot false --time cpu --no-deadline | --no-deadline and --time cpu exclude each other",
-        "play --json-league false false --time x | --time: found 'x', expected wall or cpu"})
-    void wrongCallsAreRefused(String call, String problem) {
-        Cli cli = Cli.run(call.split(" "));
-        assertEquals(ExitStatus.UNUSABLE, cli.status(), cli.out() + cli.err());
-        assertTrue(cli.err().startsWith("steward: " + problem), cli.err());
     }
 }

@@ -35,13 +35,9 @@ class ViewTest {
     }
 
     private String[] match(String... more) {
-        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         ShellBots bots = new ShellBots(folder);
-        String[] call = {"match", "--scene", "duel", "--no-deadline",
-            "--bot", bots.driver("near", ShellBots.CHECKPOINT), "--bot", bots.driver("far", ShellBots.NOWHERE)};
-        String[] whole = Arrays.copyOf(call, call.length + more.length);
-        System.arraycopy(more, 0, whole, call.length, more.length);
-        return whole;
+        return Cli.words(List.of("match", "--scene", "duel", "--no-deadline", "--bot",
+            bots.driver("near", ShellBots.CHECKPOINT), "--bot", bots.driver("far", ShellBots.NOWHERE)), more);
     }
 
     private static void assertPage(Path page, String title) throws IOException {
@@ -56,8 +52,7 @@ class ViewTest {
     @Test
     void aReplayBecomesAPage() throws IOException {
         Path page = folder.resolve("x.html");
-        Cli cli = Cli.run("replay", replay().toString(), "--view", page.toString());
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        Cli cli = Cli.run("replay", replay().toString(), "--view", page.toString()).done();
         assertEquals("Page: " + page + "\n", cli.out());
         assertEquals("", cli.err());
         assertPage(page, "pilot-0 against pilot-1");
@@ -68,14 +63,12 @@ class ViewTest {
         byte[] whole = Recorded.duel(3).bytes();
         Path cut = Files.write(folder.resolve("cut.jsonl"), Arrays.copyOf(whole, whole.length / 2));
         Path page = folder.resolve("x.html");
-        Cli cli = Cli.run("replay", cut.toString(), "--view", page.toString(), "--quiet");
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        Cli cli = Cli.run("replay", cut.toString(), "--view", page.toString(), "--quiet").done();
         assertEquals("", cli.out());
         assertTrue(cli.err().startsWith("steward: warning: " + cut + ": cut off within the line after "), cli.err());
         assertTrue(Files.readString(page).contains("data-warning=\"This recording was cut off within"));
         Path header = Files.write(folder.resolve("header.jsonl"), Arrays.copyOf(whole, 100));
-        Cli none = Cli.run("replay", header.toString(), "--view", page.toString(), "--overwrite");
-        assertEquals(ExitStatus.DONE, none.status(), none.err());
+        Cli.run("replay", header.toString(), "--view", page.toString(), "--overwrite").done();
         assertTrue(Files.readString(page).contains("<title>header.jsonl</title>"));
     }
 
@@ -96,8 +89,7 @@ class ViewTest {
     @Tag("process")
     void aMatchBecomesAPageWithoutAReplay() throws IOException {
         Path page = folder.resolve("m.html");
-        Cli cli = Cli.run(match("--view", page.toString(), "--json"));
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        Cli cli = Cli.run(match("--view", page.toString(), "--json")).done();
         assertEquals(51, cli.json().get("turns").intValue());
         assertEquals("Page: " + page + "\n", cli.err());
         assertPage(page, "near against far");
@@ -194,20 +186,6 @@ class ViewTest {
         Cli cli = Cli.run(match("--view", page.toString(), "--out", "/dev/full", "--overwrite"));
         assertEquals(ExitStatus.FAILED, cli.status());
         assertFalse(Files.exists(page));
-    }
-
-    @Test
-    void optionsThatDoNotFitAreRefused() {
-        refused("--view and --open take the whole match", "replay", "x", "--view", "y", "--turn", "3");
-        refused("--view and --open take the whole match", "replay", "x", "--open", "--verify");
-        refused("--overwrite: expected --view or --picture with it", "replay", "x", "--overwrite");
-        refused("--watch is for one match", match("--watch", "--swap"));
-        refused("--port is for --watch, expected both", match("--port", "80"));
-        refused("--host is for --watch, expected both", match("--host", "localhost"));
-        refused("--port: found 65536, expected 0 to 65535", match("--watch", "--port", "65536"));
-        refused("--port: found -1, expected 0 to 65535", match("--watch", "--port", "-1"));
-        refused("'x', expected a whole number", match("--watch", "--port", "x"));
-        refused("cannot listen on no host, port 0: found no such host", match("--watch", "--host", "no host"));
     }
 
     /** As a process of its own, since the programs that are found depend on its environment. */

@@ -3,7 +3,6 @@ package steward.cli.play;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.BufferedReader;
 import java.io.ByteArrayInputStream;
@@ -21,7 +20,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
@@ -49,16 +47,12 @@ class WatchTest {
 
     @BeforeEach
     void shell() {
-        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
         bots = new ShellBots(folder);
     }
 
     private String[] match(String... more) {
-        String[] call = {"match", "--scene", "duel", "--no-deadline", "--sandbox", "off", "--watch",
-            "--bot", bots.driver("near", ShellBots.CHECKPOINT), "--bot", bots.driver("far", ShellBots.NOWHERE)};
-        String[] whole = Arrays.copyOf(call, call.length + more.length);
-        System.arraycopy(more, 0, whole, call.length, more.length);
-        return whole;
+        return Cli.words(List.of("match", "--scene", "duel", "--no-deadline", "--sandbox", "off", "--watch", "--bot",
+            bots.driver("near", ShellBots.CHECKPOINT), "--bot", bots.driver("far", ShellBots.NOWHERE)), more);
     }
 
     /** Calls the program on a thread of its own; what it prints can be read as it comes. */

@@ -60,12 +60,7 @@ class ImportCommandTest {
     }
 
     private Cli replay(String... arguments) {
-        String[] all = new String[arguments.length + 2];
-        all[0] = "replay";
-        all[1] = replay.toString();
-        System.arraycopy(arguments, 0, all, 2, arguments.length);
-        Cli cli = Cli.run(all);
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        Cli cli = Cli.run(List.of("replay", replay.toString()), arguments).done();
         assertEquals("", cli.err());
         assertFalse(cli.out().contains("NaN") || cli.out().contains("null"), cli.out());
         return cli;
@@ -76,15 +71,6 @@ class ImportCommandTest {
         imported(GAME.json());
         String out = replay().out();
         assertTrue(out.lines().anyMatch(line -> line.matches(" *0  player 0 .* -  +-  +-")), out);
-    }
-
-    @Test
-    void aWholeGameIsImportedAndVerified() {
-        Cli cli = Cli.run("import", recording.toString(), "--out", replay.toString());
-        assertEquals("imported: " + GAME.turns() + " turns, finished after 3 laps\n  steward replay " + replay
-            + " --verify   compares every turn with these rules\n", cli.out());
-        assertEquals(ExitStatus.DONE, cli.status());
-        assertEquals(verified(), withoutCount(replay("--verify").out()));
     }
 
     @Test
@@ -176,8 +162,7 @@ class ImportCommandTest {
             {"--frames", "--player", "1"}}) {
             String[] all = Stream.concat(Stream.of("replay", replay.toString()), Stream.of(look))
                 .toArray(String[]::new);
-            Cli cli = Cli.run(all);
-            assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+            Cli cli = Cli.run(all).done();
             assertFalse(cli.out().contains("NaN") || cli.out().contains("null"), cli.out());
         }
         refused(replay + ":1: imported: found an import of an earlier version, expected one of this version: 'steward "
@@ -202,21 +187,7 @@ class ImportCommandTest {
             Files.writeString(recording, GAME.json().replace("\" 4\\n", "\" oops 4\\n")).toString(),
             "--out", out);
         refused("game.json:1:", "import", Files.writeString(recording, "{").toString(), "--out", out);
-        refused("found no frames", "import", Files.writeString(recording, "{}").toString(), "--out", out);
-        refused("found no such file, expected a recording", "import", folder + "/nothing", "--out", out);
-        refused(folder + ": found a folder, expected a recording", "import", folder.toString(), "--out", out);
-        refused("game.json:1:1: found the byte 0xFF, which is not UTF-8 here", "import",
-            Files.write(recording, new byte[] {(byte) 0xff, 0x20}).toString(), "--out", out);
         assertFalse(Files.exists(replay));
-    }
-
-    @Test
-    void programsReadOneObject() throws IOException {
-        Cli cli = Cli.run("import", recording.toString(), "--json", "--out", replay.toString());
-        assertEquals("{\"turns\":" + GAME.turns() + ",\"ending\":\"finished after 3 laps\",\"replay\":\"" + replay
-            + "\"}\n", cli.out());
-        assertEquals("", cli.err());
-        refused("--json is printed to the standard output", "import", recording.toString(), "--json", "--out", "-");
     }
 
     @Test
@@ -251,19 +222,5 @@ class ImportCommandTest {
     private static int piped(byte[] in, OutputStream out, String... arguments) {
         return Main.run(new Streams(new ByteArrayInputStream(in), false, out, OutputStream.nullOutputStream(), false,
             false), arguments);
-    }
-
-    @Test
-    void wrongCallsAreRefused() {
-        String file = recording.toString();
-        refused("--out", "import", file);
-        refused("--out", "import", file, "--out");
-        refused("FILE", "import", "--out", replay.toString());
-        refused("found more than steward import takes", "import", file, file, "--out", replay.toString());
-        refused("found the recording itself", "import", file, "--out", file, "--overwrite");
-        refused("there is no folder", "import", file, "--out", folder + "/no/game.jsonl");
-        refused("unknown option", "import", file, "--out", replay.toString(), "--seed");
-        refused("found more than steward simulate takes", "simulate", "tests.txt");
-        assertFalse(Files.exists(replay));
     }
 }

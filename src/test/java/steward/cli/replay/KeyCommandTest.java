@@ -43,8 +43,7 @@ class KeyCommandTest {
         other = folder.resolve("other.key");
         signed = folder.resolve("signed.jsonl");
         unsigned = folder.resolve("unsigned.jsonl");
-        Cli made = Cli.run("key", "new", mine.toString());
-        assertEquals(ExitStatus.DONE, made.status(), made.err());
+        Cli made = Cli.run("key", "new", mine.toString()).done();
         assertTrue(made.out().startsWith("Private key: " + mine + "\nPublic key:  " + mine
             + ".pub\nFingerprint: SHA256:"), made.out());
         fingerprint = made.out().replaceAll("(?s).*Fingerprint: (.*)\n", "$1");
@@ -81,9 +80,7 @@ class KeyCommandTest {
     @Test
     void aKeyIsNeverReplaced() throws IOException {
         byte[] before = Files.readAllBytes(mine);
-        Cli again = Cli.run("key", "new", mine.toString());
-        assertEquals(ExitStatus.UNUSABLE, again.status());
-        assertTrue(again.err().contains("exists already, and is kept"), again.err());
+        Cli.run("key", "new", mine.toString()).assertRefused("exists already, and is kept");
         assertEquals(List.of(before.length), List.of(Files.readAllBytes(mine).length));
         Path lonely = Files.writeString(folder.resolve("lonely.pub"), "x");
         assertEquals(ExitStatus.UNUSABLE, Cli.run("key", "new", folder.resolve("lonely").toString()).status());

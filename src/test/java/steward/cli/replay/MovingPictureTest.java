@@ -37,10 +37,8 @@ class MovingPictureTest {
 
     private String picture(Path replay, String... more) throws IOException {
         Path svg = folder.resolve(replay.getFileName() + ".svg");
-        List<String> call = new ArrayList<>(List.of("replay", replay.toString(), "--picture", svg.toString(),
-            "--overwrite"));
-        call.addAll(List.of(more));
-        Cli cli = Cli.run(call.toArray(String[]::new));
+        Cli cli = Cli.run(List.of("replay", replay.toString(), "--picture", svg.toString(),
+            "--overwrite"), more);
         assertEquals("Picture: " + svg + "\n", cli.out(), cli.err());
         return Files.readString(svg);
     }

@@ -2,7 +2,6 @@ package steward.cli.replay;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
@@ -25,7 +24,6 @@ import steward.cli.Recorded;
 import steward.cli.shared.ExitStatus;
 import steward.match.TestSize;
 import steward.replay.ReplayReader;
-import steward.text.TextFormat;
 
 /** {@code steward replay} on a duel of two in-process bots that both drive. */
 @Execution(ExecutionMode.CONCURRENT)
@@ -43,11 +41,7 @@ class ReplayCommandTest {
     }
 
     private static Cli replay(Path file, String... more) {
-        String[] arguments = new String[2 + more.length];
-        arguments[0] = "replay";
-        arguments[1] = file.toString();
-        System.arraycopy(more, 0, arguments, 2, more.length);
-        return Cli.run(arguments);
+        return Cli.run(List.of("replay", file.toString()), more);
     }
 
     /** As git with autocrlf, an editor of Windows and gzip leave it. */
@@ -63,28 +57,12 @@ class ReplayCommandTest {
         for (byte[] each : List.of(windows, zipped.toByteArray())) {
             assertArrayEquals(duel.bytes(), ReplayReader.asWritten(each));
             Files.write(file, each);
-            Cli verified = replay(file, "--verify");
-            assertEquals(ExitStatus.DONE, verified.status(), verified.err());
+            replay(file, "--verify").done();
             assertEquals(ExitStatus.DONE, replay(file, "--view", folder.resolve("touched.html").toString(),
                 "--overwrite").status());
         }
         Files.write(file, Arrays.copyOf(zipped.toByteArray(), 2000));
         assertTrue(replay(file).err().contains("cannot read: Unexpected end of ZLIB"));
-    }
-
-    @Test
-    void theTableHasARowPerBodyAndTurn() {
-        Cli cli = replay(whole);
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
-        int turns = duel.result().turns();
-        for (int turn = 0; turn <= turns; turn++) {
-            String start = String.format("%4d", turn);
-            assertEquals(2, cli.out().lines().filter(line -> line.startsWith(start + "     ")).count(), start);
-        }
-        assertTrue(cli.out().contains("turn  body  player       x       y      vx      vy heading\u00b0 "), cli.out());
-        assertTrue(cli.out().contains(duel.result().ending()), cli.out());
-        assertTrue(cli.out().lines().allMatch(line -> line.length() <= 100), cli.out());
-        assertFalse(replay(whole, "--quiet").out().contains("turn  body"));
     }
 
     /** Found by {@code gradle fuzz}, seed 99, input 7157: a number too large for a double ended in a stack trace. */
@@ -96,8 +74,7 @@ class ReplayCommandTest {
         String broken = text.substring(0, impacts) + text.substring(impacts)
             .replaceFirst("\"time\":[^,]*", "\"time\":1e999").replaceFirst("\"impulse\":[^,]*", "\"impulse\":-1e999");
         Path file = Files.writeString(folder.resolve("large.jsonl"), broken);
-        Cli cli = replay(file, "--impacts");
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
+        Cli cli = replay(file, "--impacts").done();
         assertTrue(cli.out().contains(" Infinity ") && cli.out().contains(" -Infinity"), cli.out());
     }
 
@@ -123,74 +100,6 @@ class ReplayCommandTest {
             Cli frames = replay(file, "--frames", "--player", "9");
             assertTrue(frames.err().length() < 1000, change[0] + ": " + frames.err().length());
         }
-    }
-
-    /** Such is left of a match that was interrupted before its first turn. */
-    @Test
-    void aHeaderAloneCanBeReadVerifiedAndShown() throws IOException {
-        String header = new String(duel.bytes(), StandardCharsets.UTF_8).lines().findFirst().orElseThrow();
-        Path only = Files.writeString(folder.resolve("header.jsonl"), header + "\n");
-        String warning = "steward: warning: " + only + ": cut off before the first turn: there is only the header\n";
-        Cli table = replay(only);
-        assertEquals(warning, table.err());
-        assertEquals(ExitStatus.DONE, table.status());
-        assertTrue(table.out().endsWith("\nno turn was recorded\n0 impacts in all\n"), table.out());
-        assertEquals(new Cli(ExitStatus.FAILED, "verified up to the cut: only the start, since no turn was recorded\n",
-            warning), replay(only, "--verify"));
-        assertEquals(ExitStatus.DONE, replay(only, "--verify", "--partial").status());
-        assertEquals(replay(only, "--verify"), replay(only, "--verify", "--quiet"));
-        Path page = folder.resolve("header.html");
-        assertEquals(new Cli(ExitStatus.DONE, "Page: " + page + "\n", warning),
-            replay(only, "--view", page.toString()));
-        assertTrue(Files.readString(page).contains("data-warning=\"This recording was cut off before the first turn: "
-            + "there is only the header."));
-    }
-
-    @Test
-    void aRangeOfTurns() {
-        Cli cli = replay(whole, "--from", "4", "--to", "5");
-        assertEquals(4, cli.out().lines().filter(line -> line.matches(" +\\d+ +[01] .*yes.*")).count(), cli.out());
-        Cli beyond = replay(whole, "--from", "900");
-        assertEquals(ExitStatus.UNUSABLE, beyond.status());
-        assertEquals("", beyond.out());
-        assertTrue(beyond.err().contains("found no turn 900, expected 1 to " + duel.result().turns()));
-    }
-
-    @Test
-    void oneTurnInFull() {
-        Cli cli = replay(whole, "--turn", "2");
-        assertEquals(ExitStatus.DONE, cli.status(), cli.err());
-        assertTrue(cli.out().startsWith("turn 2\n\nplayer 0, pilot-0, "), cli.out());
-        assertTrue(cli.out().contains("  command  x 10500  y 3500  thrust 120\n  message  t2\n"), cli.out());
-        assertTrue(cli.out().contains("heading\u00b0 "), cli.out());
-        assertEquals(ExitStatus.UNUSABLE, replay(whole, "--turn", "900").status());
-        assertTrue(replay(whole, "--turn", "900", "--impacts").err().contains("found no turn 900, expected 1 to "));
-    }
-
-    @Test
-    void theMapHasZonesAndALetterPerBody() {
-        String map = replay(whole, "--map").out();
-        assertTrue(map.startsWith("+---") && map.contains("(0)") && map.contains("a pilot-0    B pilot-1"), map);
-        assertEquals(2, replay(whole, "--map", "--impacts").status());
-    }
-
-    @Test
-    void impactsAreCounted() {
-        Cli list = replay(whole, "--impacts");
-        String text = new String(duel.bytes(), StandardCharsets.UTF_8);
-        int impacts = text.split("\"impulse\":", -1).length - 1;
-        assertEquals(impacts, list.out().lines().filter(line -> line.matches(" *\\d+  0\\.\\d{6} .*")).count());
-        assertTrue(impacts > 0, "the seed was chosen so that there are impacts");
-        assertTrue(list.out().endsWith(TextFormat.count(impacts, "impact") + "\n"), list.out());
-        assertTrue(replay(whole, "--quiet").out().endsWith(TextFormat.count(impacts, "impact") + " in all\n"));
-    }
-
-    @Test
-    void aWholeReplayVerifies() {
-        Cli cli = replay(whole, "--verify");
-        assertEquals(new Cli(ExitStatus.DONE, "verified: states of " + duel.result().turns() + " of "
-            + duel.result().turns() + " turns and the result\n", ""), cli);
-        assertEquals(new Cli(ExitStatus.DONE, "", ""), replay(whole, "--verify", "--quiet"));
     }
 
     @Test
@@ -219,17 +128,9 @@ class ReplayCommandTest {
 
     @Test
     @Tag("slow")
+    @Tag("sized")
     void aFileCutAnywhereIsReadUpToTheCut() throws IOException {
-        assertReadUpToTheCut(1009);
-    }
-
-    @Test
-    @Tag("campaign")
-    void aFileCutAtManyPlacesIsReadUpToTheCut() throws IOException {
-        assertReadUpToTheCut(101);
-    }
-
-    private void assertReadUpToTheCut(int step) throws IOException {
+        int step = TestSize.of(1009, 101);
         Path file = folder.resolve("cut.jsonl");
         byte[] bytes = duel.bytes();
         int last = -1;
@@ -264,13 +165,6 @@ class ReplayCommandTest {
     }
 
     @Test
-    void optionsOfVerificationNeedIt() {
-        for (String[] wrong : new String[][] {{"--partial"}, {"--signed-by", "x.pub"}}) {
-            assertEquals(ExitStatus.UNUSABLE, replay(whole, wrong).status());
-        }
-    }
-
-    @Test
     void whatVerificationProvesIsSaidInItsHelp() {
         String help = Cli.run("replay", "--help").out();
         assertTrue(help.contains("Who gave the commands it does"), help);
@@ -278,31 +172,9 @@ class ReplayCommandTest {
     }
 
     @Test
-    void futureAnglesAndFormats() throws IOException {
-        String text = new String(duel.bytes(), StandardCharsets.UTF_8);
-        Path file = Files.writeString(folder.resolve("future.jsonl"), text.replace("\"correctly-rounded\"",
-            "\"abacus\""));
-        assertEquals(new Cli(ExitStatus.UNUSABLE, "", "steward: " + file + ":1: angles: found \"abacus\", expected "
-            + "\"correctly-rounded\"\n"), replay(file, "--verify"));
-        Files.writeString(file, text.replace("\"format\":3", "\"format\":4"));
-        assertEquals(new Cli(ExitStatus.UNUSABLE, "", "steward: " + file + ":1: format: found 4, expected 3: "
-            + "a newer version of Steward wrote this replay\n"), replay(file, "--verify"));
-    }
-
-    @Test
     void aLostLineEndLosesNothing() throws IOException {
         byte[] bytes = duel.bytes();
         Path file = Files.write(folder.resolve("end.jsonl"), Arrays.copyOf(bytes, bytes.length - 1));
         assertEquals(replay(whole, "--verify"), replay(file, "--verify"));
-    }
-
-    @Test
-    void damageBeforeTheEndIsLocated() throws IOException {
-        String text = new String(duel.bytes(), StandardCharsets.UTF_8);
-        Path file = Files.writeString(folder.resolve("damaged.jsonl"),
-            text.replaceFirst("\\{\"type\":\"turn\",\"turn\":3", "{\"type\":turn,\"turn\":3"));
-        Cli cli = replay(file, "--verify");
-        assertEquals(ExitStatus.UNUSABLE, cli.status());
-        assertTrue(cli.err().startsWith("steward: " + file + ":4:"), cli.err());
     }
 }

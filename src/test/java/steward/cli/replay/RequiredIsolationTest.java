@@ -35,10 +35,8 @@ class RequiredIsolationTest {
     }
 
     private Cli verify(Path file, String... words) {
-        List<String> call = new ArrayList<>(List.of("replay", file.toString(), "--verify", "--signed-by",
-            folder.resolve("k.pub").toString()));
-        call.addAll(List.of(words));
-        return Cli.run(call.toArray(String[]::new));
+        return Cli.run(List.of("replay", file.toString(), "--verify", "--signed-by",
+            folder.resolve("k.pub").toString()), words);
     }
 
     private Path changed(String from, String to) throws IOException {

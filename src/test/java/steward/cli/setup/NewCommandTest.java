@@ -125,8 +125,7 @@ class NewCommandTest {
     @Tag("campaign")
     void theBotThatSearchesRaces() throws IOException, InterruptedException {
         Path place = folder.resolve("a bot");
-        Cli made = Cli.run("new", "cpp", place.toString(), "--simulator");
-        assertEquals(ExitStatus.DONE, made.status(), made.err());
+        Cli made = Cli.run("new", "cpp", place.toString(), "--simulator").done();
         String readme = Files.readString(place.resolve(NewCommand.README));
         List<String> compile = made.out().lines().filter(line -> line.startsWith("  g++")).map(String::strip).toList();
         assertTrue(readme.contains("Compile it: " + compile.get(0) + "\n"), readme);

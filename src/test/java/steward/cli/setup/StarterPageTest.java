@@ -63,8 +63,7 @@ class StarterPageTest {
             match.addAll(List.of("--bot", "p" + player + "=" + StarterLanguage.PYTHON.bot(spoken)
                 .replace("bot.", place + "/bot.")));
         }
-        Cli played = Cli.run(match.toArray(String[]::new));
-        assertEquals(0, played.status(), played.err());
+        Cli.run(match.toArray(String[]::new)).done();
         try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.open(page, "#t=3.5");
             assertTrue(browser.is("document.getElementById('notice').hidden"), browser.text("#notice"));

@@ -3,7 +3,6 @@ package steward.cli.tournament;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -43,10 +42,7 @@ class ResubmissionTest {
 
     @BeforeEach
     void scene() throws IOException {
-        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
-        ShellBots.shortDuel(folder);
-        Path scene = folder.resolve("short.json");
-        Files.writeString(scene, Files.readString(scene).replace("\"maximumTurns\": 8", "\"maximumTurns\": 2"));
+        ShellBots.shortDuel(folder, 2);
     }
 
     private void program(String name, String y, String more) throws IOException {

@@ -2,7 +2,6 @@ package steward.cli.tournament;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
@@ -38,10 +37,7 @@ class SwissTest {
 
     @BeforeEach
     void programs() throws IOException {
-        assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
-        ShellBots.shortDuel(folder);
-        Path scene = folder.resolve("short.json");
-        Files.writeString(scene, Files.readString(scene).replace("\"maximumTurns\": 8", "\"maximumTurns\": 2"));
+        ShellBots.shortDuel(folder, 2);
         for (String name : List.of("a", "b", "c", "d")) {
             program(name, "9000", "");
         }

@@ -101,10 +101,7 @@ class TranscriptTest {
     }
 
     private PlayedGame talkative() throws Exception {
-        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
-        Files.writeString(folder.resolve("short.json"), Files.readString(Path.of("config/scenes/duel.json"))
-            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 6").replace("\"answerMs\": 75", "\"answerMs\": 30000")
-            .replace("\"firstAnswerMs\": 1000", "\"firstAnswerMs\": 60000"));
+        ShellBots.shortDuel(folder, 6);
         TextShellBots bots = new TextShellBots(folder);
         return PlayedGame.of(Contest.of(Games.open(folder.resolve("short.json").toString()), List.of("one=codingame:"
             + bots.driver(), "two=codingame:" + bots.idler(3)), Protocol.JSON, 1).isolatedBy(() -> Isolation.OFF), 3);

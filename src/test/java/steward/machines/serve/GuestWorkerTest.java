@@ -78,9 +78,9 @@ class GuestWorkerTest extends ServedLeague {
     }
 
     private Cli join(String token, String... more) {
-        return Cli.run(Stream.concat(Stream.of("worker", "--join", "127.0.0.1:" + port, "--token-file",
+        return Cli.run(List.of("worker", "--join", "127.0.0.1:" + port, "--token-file",
             folder.resolve(token + ".token").toString(), "--sandbox", "off", "--idle", "60s", "--bundles",
-            folder.resolve("bundles of " + token).toString()), Stream.of(more)).toArray(String[]::new));
+            folder.resolve("bundles of " + token).toString()), more);
     }
 
     /** The replays by their files, without what was measured and where bots and referee were. */
@@ -119,8 +119,7 @@ class GuestWorkerTest extends ServedLeague {
         assertEquals(ExitStatus.REFUSED, closed.status(), closed.err());
         assertTrue(closed.err().contains("the scene has a referee of its own, and the worker runs none without "
             + "--guests"), closed.err());
-        Cli open = join("open", "--guests", "--games", "4");
-        assertEquals(ExitStatus.DONE, open.status(), open.err());
+        Cli open = join("open", "--guests", "--games", "4").done();
         String said = run.get(100, TimeUnit.SECONDS);
         assertTrue(said.contains("worker closed plays nothing: the scene has a referee"), said);
         assertTrue(games("many").stream().allMatch(row -> row.machine().startsWith("worker open: ")), said);

@@ -19,10 +19,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Cli;
-import steward.cli.shared.ExitStatus;
 import steward.machines.check.GzipText;
 import steward.machines.token.WorkerToken;
 import steward.machines.wire.WireMessage;
+import steward.match.TestSize;
 
 /** A scene that lists thousands of bodies in a CSV file: played, verified, and a league's game of it by a worker. */
 @Tag("process")
@@ -74,23 +74,13 @@ class ListedBodiesTest extends ServedLeague {
     }
 
     @Test
+    @Tag("sized")
     void itIsPlayedAndVerified() throws IOException {
-        assertItIsPlayedAndVerified(FEW);
-    }
-
-    @Test
-    @Tag("campaign")
-    void aLongListIsPlayedAndVerified() throws IOException {
-        assertItIsPlayedAndVerified(MANY);
-    }
-
-    private void assertItIsPlayedAndVerified(int count) throws IOException {
+        int count = TestSize.of(FEW, MANY);
         list(count, false);
         String replay = folder.resolve("listed.jsonl").toString();
-        Cli run = Cli.run("run", folder.resolve("listed.json").toString(), "--out", replay);
-        assertEquals(ExitStatus.DONE, run.status(), run.err());
-        Cli verified = Cli.run("replay", replay, "--verify");
-        assertEquals(ExitStatus.DONE, verified.status(), verified.err());
+        Cli run = Cli.run("run", folder.resolve("listed.json").toString(), "--out", replay).done();
+        Cli verified = Cli.run("replay", replay, "--verify").done();
         assertEquals("verified: states of 1 of 2 turns, hashes of all and the result\n", verified.out());
     }
 

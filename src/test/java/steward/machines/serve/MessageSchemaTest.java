@@ -3,7 +3,6 @@ package steward.machines.serve;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.networknt.schema.Error;
 import com.networknt.schema.InputFormat;
@@ -15,7 +14,6 @@ import java.io.InputStream;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -105,8 +103,7 @@ class MessageSchemaTest {
     }
 
     private void done(String... words) {
-        Cli cli = Cli.run(words);
-        assertEquals(0, cli.status(), cli.err());
+        Cli.run(words).done();
     }
 
     private byte[] listen(BrokerClient client) throws BrokenException {
@@ -125,10 +122,7 @@ class MessageSchemaTest {
 
     @Test
     void allThatIsSaidIsAsTheSchemaSays() throws Exception {
-        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
-        Files.writeString(folder.resolve("short.json"), Files.readString(Path.of("config/scenes/duel.json"))
-            .replace("\"maximumTurns\": 200", "\"maximumTurns\": 5")
-            .replace("\"answerMs\": 75", "\"answerMs\": 30000"));
+        ShellBots.shortDuel(folder, 5);
         TextShellBots bots = new TextShellBots(folder);
         String league = folder.resolve("league").toString();
         done("league", "init", league, "--scene", folder.resolve("short.json").toString());

@@ -2,7 +2,6 @@ package steward.machines.serve;
 
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
@@ -62,7 +61,6 @@ abstract class ServedLeague {
 
     @BeforeEach
     void prepare() throws IOException {
-        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
         ShellBots.shortDuel(folder);
         ShellBots.drawn(folder.resolve("short.json"));
         bots = new TextShellBots(folder);

@@ -23,6 +23,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.Bot;
 import steward.match.TestScenes;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 import steward.replay.JsonLeaves;
 import steward.replay.JsonLeaves.Leaf;
@@ -109,20 +110,12 @@ class EditedReplayTest {
         assertTrue(tried > 100, "digits tried: " + tried);
     }
 
+    /** Tries all short fields; of the many coordinates one of so many. */
     @Test
     @Tag("slow")
+    @Tag("sized")
     void oneDigitOfATurnOrOfTheResult() {
-        editOneDigit(20);
-    }
-
-    @Test
-    @Tag("campaign")
-    void oneDigitOfManyFieldsOfATurnOrOfTheResult() {
-        editOneDigit(5);
-    }
-
-    /** Tries all short fields; of the many coordinates one of so many. */
-    private static void editOneDigit(int of) {
+        int of = TestSize.of(20, 5);
         SplitMix64 random = new SplitMix64(2026);
         Map<String, Map<Verdict, Integer>> seen = new TreeMap<>();
         for (int number = 1; number < lines.size(); number++) {
@@ -151,19 +144,11 @@ class EditedReplayTest {
             "/standing/score")), seen::toString);
     }
 
-    @Test
-    void everyDigitOfOneHeadingOfATurn() {
-        editHeadings(1);
-    }
-
-    @Test
-    @Tag("campaign")
-    void everyDigitOfEveryHeadingOfATurn() {
-        editHeadings(Integer.MAX_VALUE);
-    }
-
     /** The last digits of a long number, where several texts mean the same double. */
-    private static void editHeadings(int most) {
+    @Test
+    @Tag("sized")
+    void everyDigitOfOneHeadingOfATurn() {
+        int most = TestSize.of(1, Integer.MAX_VALUE);
         int edited = 0;
         for (Leaf leaf : JsonLeaves.of(lines.get(5))) {
             if (leaf.path().endsWith("/heading") && (most > 1 || leaf.to() - leaf.from() > 10) && edited++ < most) {

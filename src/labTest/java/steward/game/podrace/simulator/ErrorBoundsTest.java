@@ -121,17 +121,9 @@ class ErrorBoundsTest {
 
     /** The angle that the game sees to a target, and the true one between its heading and the target. */
     @Test
+    @Tag("sized")
     void bothWaysToSeeATurnAgreeAsIsSaid(TestReporter report) {
-        compareWays(300, report);
-    }
-
-    @Test
-    @Tag("campaign")
-    void inManyTrialsBothWaysToSeeATurnAgreeAsIsSaid(TestReporter report) {
-        compareWays(2_000, report);
-    }
-
-    private void compareWays(int trials, TestReporter report) {
+        int trials = TestSize.of(300, 2_000);
         double worst = 0;
         for (int trial = 0; trial < trials; trial++) {
             double angle = (random.nextDouble() - 0.5) * 2 * (trial % 2 == 0 ? 525 : 4);

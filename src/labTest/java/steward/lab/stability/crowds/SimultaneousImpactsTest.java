@@ -12,6 +12,7 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.lab.oracle.FirstInstant;
 import steward.lab.trial.Rung;
+import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
@@ -56,17 +57,9 @@ class SimultaneousImpactsTest {
 
     @Test
     @Tag("slow")
+    @Tag("sized")
     void everyTieReactsByTheRule() {
-        reactByTheRule(150);
-    }
-
-    @Test
-    @Tag("campaign")
-    void everyTieOfAThousandWorldsReactsByTheRule() {
-        reactByTheRule(1_000);
-    }
-
-    private void reactByTheRule(int worlds) {
+        int worlds = TestSize.of(150, 1_000);
         SplitMix64 random = new SplitMix64(4);
         int several = 0;
         for (int n = 0; n < worlds; n++) {

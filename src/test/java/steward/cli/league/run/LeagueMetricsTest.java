@@ -2,7 +2,6 @@ package steward.cli.league.run;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.net.URI;
@@ -65,7 +64,6 @@ class LeagueMetricsTest {
      */
     @Test
     void aServedLeagueTellsItsFiguresOverHttp() throws Exception {
-        assumeTrue(ShellBots.runnable(), "skipped: there is no /bin/sh");
         ShellBots.shortDuel(folder);
         TextShellBots bots = new TextShellBots(folder);
         Path script = Files.writeString(folder.resolve("gate.sh"), "cd '" + folder + "'; echo >>starts\n"
