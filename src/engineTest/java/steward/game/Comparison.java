@@ -2,6 +2,7 @@ package steward.game;
 
 import java.util.ArrayList;
 import java.util.List;
+import tools.jackson.databind.JsonNode;
 
 /** Values held against recorded ones, to the last bit. */
 public final class Comparison {
@@ -28,6 +29,19 @@ public final class Comparison {
         values++;
         if (!recorded.equals(found)) {
             differ(what, recorded.toString(), found.toString());
+        }
+    }
+
+    /** @param found names of the recorded object's fields, each with what was found */
+    public void fields(String what, JsonNode recorded, Object... found) {
+        for (int k = 0; k < found.length; k += 2) {
+            JsonNode field = recorded.get((String) found[k]);
+            Object value = found[k + 1];
+            if (value instanceof Double number) {
+                same(what + found[k], field.asDouble(), number.doubleValue());
+            } else {
+                same(what + found[k], value instanceof Boolean ? (Object) field.asBoolean() : field.asInt(), value);
+            }
         }
     }
 

@@ -30,6 +30,7 @@ import steward.game.meanmax.MeanMaxReplay;
 import steward.game.podrace.vectors.PodRaceReplay;
 import steward.game.pokerchiprace.PokerReplay;
 import steward.game.searchrace.protocol.SearchRaceReplay;
+import steward.match.TestSize;
 
 /**
  * Whole matches of the published referees with correctly rounded sine and cosine: states, impacts, ends, faults and the
@@ -58,15 +59,10 @@ class VectorsTest {
 
     @ParameterizedTest
     @EnumSource
+    @Tag("sized")
     void matchesAreReproducedToTheLastBit(Referee referee, TestReporter report) throws IOException {
-        compare(report, referee, GroundTruth.matches(referee.game));
-    }
-
-    @ParameterizedTest
-    @EnumSource
-    @Tag("campaign")
-    void everyMatchOfTheFolderIsReproducedToTheLastBit(Referee referee, TestReporter report) throws IOException {
-        compare(report, referee, GroundTruth.VECTORS.files(referee.game, ".jsonl.gz"));
+        compare(report, referee, TestSize.isWhole() ? GroundTruth.VECTORS.files(referee.game, ".jsonl.gz")
+            : GroundTruth.matches(referee.game));
     }
 
     private static void compare(TestReporter report, Referee referee, List<Path> files) {

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.match.TestSize;
 
 /**
  * Sine and cosine are the nearest doubles, by the quick value and by the series alike, and the quick value is as near
@@ -32,14 +33,9 @@ class SineCosineTest {
     private double greatestError;
 
     @Test
+    @Tag("sized")
     void everyResultIsTheNearestDouble(TestReporter report) {
-        assertNearest(Long.getLong("steward.angles", 15_000), report);
-    }
-
-    @Test
-    @Tag("campaign")
-    void everyResultOfManyAnglesIsTheNearestDouble(TestReporter report) {
-        assertNearest(COUNT, report);
+        assertNearest(TestSize.isWhole() ? COUNT : Long.getLong("steward.angles", 15_000), report);
     }
 
     private void assertNearest(long count, TestReporter report) {

@@ -47,7 +47,6 @@ class ArchitectureTest {
         SERIALIZATION(House::machinesDoNotDeserialize, "Jobs"),
         BOTS(House::botsKnowNoRules, "Rules"),
         LABS(House::labsKnowNoBots, "Asks"),
-        MATCHES(House::matchesKnowNoReplays, "Keeps"),
         PROCESSES(House::onlyBotsAreProcesses, "Starts"),
         PHYSICS(House::physicsKnowsNoFilesAndNoJson, "Reads", "Parses"),
         CLOCKS(House::noClockInAGame, "Times", "Dates"),

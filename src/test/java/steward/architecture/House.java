@@ -1,7 +1,6 @@
 package steward.architecture;
 
 import static com.tngtech.archunit.base.DescribedPredicate.describe;
-import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
@@ -210,11 +209,6 @@ final class House {
         return noClasses().that().resideInAnyPackage(in("lab.oracle"), in("lab.trial"), in("lab.stability"),
                 in("lab.timing"), in("lab.calibration"), in("lab.tradeoff"))
             .should().dependOnClassesThat(resideInAnyPackage(in("bot"), in("match")));
-    }
-
-    ArchRule matchesKnowNoReplays() {
-        return noClasses().that().resideInAPackage(in("match"))
-            .should().dependOnClassesThat(resideInAPackage(in("replay")));
     }
 
     /** But for the browser, JVMs that time one kind of turns each, and the JDK's own program that makes keys. */

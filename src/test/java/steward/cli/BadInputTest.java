@@ -64,17 +64,4 @@ class BadInputTest {
         refused("there is no program", "match", "--bot", "sh", "--bot", "no-such-program", "--out", file.toString());
         assertFalse(Files.exists(file));
     }
-
-    @Test
-    void aFileThatIsNoReplay() throws IOException {
-        Path file = folder.resolve("x.jsonl");
-        for (String mode : List.of("--verify", "--impacts", "--turn=1", "--quiet")) {
-            Files.writeString(file, "");
-            refused("found an empty file, expected a replay", "replay", file.toString(), mode);
-            Files.writeString(file, "{\"type\":\"turn\"}\n");
-            refused(file + ":1: found no replay header", "replay", file.toString(), mode);
-            Files.writeString(file, "{\"type\":\"steward-replay\",\"format\":999}\n");
-            refused("format: found 999, expected 3", "replay", file.toString(), mode);
-        }
-    }
 }

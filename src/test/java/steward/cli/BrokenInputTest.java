@@ -30,11 +30,14 @@ import steward.match.TestSize;
  */
 class BrokenInputTest {
 
-    private static final int INPUTS = Integer.getInteger("steward.inputs", TestSize.of(10, 60));
     private static final long SEED = Long.getLong("steward.seed", 12);
 
     @TempDir
     private Path folder;
+
+    private static int inputs() {
+        return Integer.getInteger("steward.inputs", TestSize.of(10, 60));
+    }
 
     static Stream<Kind> kinds() throws IOException {
         return BrokenInputs.kinds().stream();
@@ -48,7 +51,7 @@ class BrokenInputTest {
         BrokenInputs inputs = new BrokenInputs(folder, SEED);
         inputs.prepare(kind);
         int refused = 0;
-        for (int number = 0; number < INPUTS; number++) {
+        for (int number = 0; number < inputs(); number++) {
             byte[] broken = inputs.broken(kind, number);
             try {
                 refused += inputs.check(kind, broken) ? 1 : 0;
@@ -140,20 +143,20 @@ class BrokenInputTest {
         for (IntPredicate target : List.<IntPredicate>of(incoming::word, incoming::league, incoming::job,
                 incoming::bundle)) {
             int refused = 0;
-            for (int number = 0; number < 10 * INPUTS; number++) {
+            for (int number = 0; number < 10 * inputs(); number++) {
                 try {
                     refused += target.test(number) ? 1 : 0;
                 } catch (AssertionError | RuntimeException problem) {
                     fail("steward.seed " + SEED + ", input " + number + ": " + problem.getMessage(), problem);
                 }
             }
-            assertTrue(refused > 0 && refused < 10 * INPUTS, "some are refused and some are not: " + refused);
+            assertTrue(refused > 0 && refused < 10 * inputs(), "some are refused and some are not: " + refused);
         }
     }
 
     private void answers(Protocol protocol, String original) throws InterruptedException {
         int faults = 0;
-        for (int number = 0; number < 10 * INPUTS; number++) {
+        for (int number = 0; number < 10 * inputs(); number++) {
             faults += new BrokenInputs(folder, SEED).answer(protocol, original, number) ? 1 : 0;
         }
         assertTrue(faults > 0, "no answer was refused");
@@ -163,7 +166,7 @@ class BrokenInputTest {
     @Tag("sized")
     void aCommandOfABot() {
         int refused = 0;
-        for (int number = 0; number < 10 * INPUTS; number++) {
+        for (int number = 0; number < 10 * inputs(); number++) {
             try {
                 refused += new BrokenInputs(folder, SEED).command(Fuzz.COMMAND, number) ? 1 : 0;
             } catch (AssertionError | RuntimeException problem) {

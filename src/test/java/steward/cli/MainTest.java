@@ -64,27 +64,6 @@ class MainTest {
     }
 
     @Test
-    void anUnclosedQuoteOfAWholeCommandLineIsLocated() {
-        Cli cli = Cli.run("--cli", "replay 'a file");
-        assertEquals(ExitStatus.UNUSABLE, cli.status());
-        assertEquals("steward: --cli, column 8: the single quote is never closed\n", cli.err());
-    }
-
-    @Test
-    void misspeltWordsSuggestTheNearest() {
-        assertTrue(Cli.run("mach").err().contains("did you mean 'match'?"));
-        assertEquals("steward: unknown command 'mtach'; did you mean 'match'?\nTry 'steward --help'.\n",
-            Cli.run("mtach").err());
-        assertEquals("steward: unknown option '--bto'; did you mean '--bot'?\nTry 'steward match --help'.\n",
-            Cli.run("match", "--bto", "x").err());
-        assertEquals("steward: 'verify': found more than steward replay takes; did you mean '--verify'?\n"
-            + "Try 'steward replay --help'.\n", Cli.run("replay", "x", "verify").err());
-        assertTrue(Cli.run("replay", "x", "--verfy").err().contains("--verify"));
-        assertEquals(ExitStatus.UNUSABLE, Cli.run("mach").status());
-        assertEquals(ExitStatus.UNUSABLE, Cli.run("replay", "x", "--verfy").status());
-    }
-
-    @Test
     void argumentsThatBeginWithAnAtSignAreNoFiles() {
         assertEquals("steward: @x: found no such file, expected a replay\n", Cli.run("replay", "@x").err());
     }

@@ -32,14 +32,14 @@ import steward.cli.options.SandboxOptions;
 class OutputTableTest {
 
     private static final List<String> FILES = List.of("bodies", "failures", "league", "leagues", "match", "matches",
-        "replays", "sequential", "series", "sprt", "tools");
+        "replays", "runs", "sequential", "series", "sprt", "tools");
     /** Measured numbers within a line; each keeps its first group. */
     private static final List<Pattern> MEASURED = List.of(
         Pattern.compile("(\"(?:average|worst|first|mean|p99|meanFirst|worstFirst|meanMs|worstMs|[a-z]+Ms)\":)"
             + "[0-9.Ee+-]+"),
         Pattern.compile("(\"(?:worstGame|worstTurn)\":)[0-9]+"),
         Pattern.compile("(\"answerMs\":)\\[[^]]*]"),
-        Pattern.compile("(,)[0-9.]+,[0-9.]+(?=$)"),
+        Pattern.compile("^(>.*,)[0-9.]+,[0-9.]+$"),
         Pattern.compile("( )[0-9.]+(?= ms\\b)"),
         Pattern.compile("(   game )[0-9]+, turn [0-9]+$"),
         Pattern.compile("()20[0-9-]{8}T[0-9:.]+Z"),
@@ -65,7 +65,8 @@ class OutputTableTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"bodies", "failures", "leagues", "match", "matches", "replays", "sequential", "tools"})
+    @ValueSource(strings = {"bodies", "failures", "leagues", "match", "matches", "replays", "runs", "sequential",
+        "tools"})
     void isWhatItWas(String name) throws IOException {
         compare(name);
     }

@@ -169,9 +169,8 @@ public final class FantasticBitsReplay extends VectorReplay<FantasticBits> {
             int id = wizard.get("id").asInt();
             String what = when + " wizard " + id + " ";
             compareMotion(what, wizard, bodies);
-            comparison.same(what + "player", wizard.get("player").asInt(), Pitch.playerOf(id));
-            comparison.same(what + "snaffle", wizard.get("snaffle").asInt(), pitch.held(id));
-            comparison.same(what + "wait", wizard.get("captureWait").asDouble(), bodies.columns[Pitch.WAIT][id]);
+            comparison.fields(what, wizard, "player", Pitch.playerOf(id), "snaffle", pitch.held(id),
+                "captureWait", bodies.columns[Pitch.WAIT][id]);
             for (Spell spell : Spell.values()) {
                 comparison.same(what + spell.text(), List.of(wizard.get(spell.text()).get(0).asInt(),
                     wizard.get(spell.text()).get(1).asInt()), List.of(pitch.spells().turns(id, spell),
@@ -218,9 +217,7 @@ public final class FantasticBitsReplay extends VectorReplay<FantasticBits> {
 
     private void compareMotion(String what, JsonNode entity, Bodies bodies) {
         int id = entity.get("id").asInt();
-        comparison.same(what + "x", entity.get("x").asDouble(), bodies.x[id]);
-        comparison.same(what + "y", entity.get("y").asDouble(), bodies.y[id]);
-        comparison.same(what + "vx", entity.get("vx").asDouble(), bodies.vx[id]);
-        comparison.same(what + "vy", entity.get("vy").asDouble(), bodies.vy[id]);
+        comparison.fields(what, entity, "x", bodies.x[id], "y", bodies.y[id], "vx", bodies.vx[id],
+            "vy", bodies.vy[id]);
     }
 }

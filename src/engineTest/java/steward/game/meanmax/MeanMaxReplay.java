@@ -132,9 +132,7 @@ public final class MeanMaxReplay extends VectorReplay<MeanMax> {
     }
 
     private void compare(String what, JsonNode of, Impact impact) {
-        comparison.same(what + "t", of.get("t").asDouble(), impact.time());
-        comparison.same(what + "a", of.get("a").asInt(), impact.a());
-        comparison.same(what + "b", of.get("b").asInt(), impact.b());
+        comparison.fields(what, of, "t", impact.time(), "a", impact.a(), "b", impact.b());
         comparison.same(what + "vx of a", of.get("av").get(0).asDouble(), impact.vaxAfter());
         comparison.same(what + "vy of a", of.get("av").get(1).asDouble(), impact.vayAfter());
         if (!impact.isWall()) {
@@ -160,15 +158,9 @@ public final class MeanMaxReplay extends VectorReplay<MeanMax> {
         for (int k = 0; k < Math.min(state.get("units").size(), bodies.size()); k++) {
             JsonNode unit = state.get("units").get(k);
             String what = when + " unit " + k + " ";
-            comparison.same(what + "id", unit.get("id").asInt(), bodies.id(k));
-            comparison.same(what + "type", unit.get("type").asInt(), bodies.kind[k]);
-            comparison.same(what + "player", unit.get("player").asDouble(), bodies.columns[MeanMaxWorld.OWNER][k]);
-            comparison.same(what + "x", unit.get("x").asDouble(), bodies.x[k]);
-            comparison.same(what + "y", unit.get("y").asDouble(), bodies.y[k]);
-            comparison.same(what + "vx", unit.get("vx").asDouble(), bodies.vx[k]);
-            comparison.same(what + "vy", unit.get("vy").asDouble(), bodies.vy[k]);
-            comparison.same(what + "mass", unit.get("mass").asDouble(), bodies.mass[k]);
-            comparison.same(what + "radius", unit.get("radius").asDouble(), bodies.radius[k]);
+            comparison.fields(what, unit, "id", bodies.id(k), "type", bodies.kind[k],
+                "player", bodies.columns[MeanMaxWorld.OWNER][k], "x", bodies.x[k], "y", bodies.y[k],
+                "vx", bodies.vx[k], "vy", bodies.vy[k], "mass", bodies.mass[k], "radius", bodies.radius[k]);
             if (world.isTanker(k)) {
                 comparison.same(what + "water", unit.get("water").asDouble(), bodies.columns[MeanMaxWorld.WATER][k]);
                 comparison.same(what + "size", unit.get("size").asDouble(), bodies.columns[MeanMaxWorld.SIZE][k]);

@@ -190,14 +190,9 @@ public final class PokerReplay extends VectorReplay<PokerChipRace> {
         for (int k = 0; k < Math.min(state.get("chips").size(), bodies.size()); k++) {
             JsonNode chip = state.get("chips").get(k);
             String what = when + " chip " + k + " ";
-            comparison.same(what + "id", chip.get("id").asInt(), bodies.id(k));
-            comparison.same(what + "player", chip.get("player").asDouble(), bodies.columns[ChipTable.OWNER][k]);
-            comparison.same(what + "x", chip.get("x").asDouble(), bodies.x[k]);
-            comparison.same(what + "y", chip.get("y").asDouble(), bodies.y[k]);
-            comparison.same(what + "vx", chip.get("vx").asDouble(), bodies.vx[k]);
-            comparison.same(what + "vy", chip.get("vy").asDouble(), bodies.vy[k]);
-            comparison.same(what + "radius", chip.get("radius").asDouble(), bodies.radius[k]);
-            comparison.same(what + "parent", chip.get("parent").asDouble(), bodies.columns[ChipTable.PARENT][k]);
+            comparison.fields(what, chip, "id", bodies.id(k), "player", bodies.columns[ChipTable.OWNER][k],
+                "x", bodies.x[k], "y", bodies.y[k], "vx", bodies.vx[k], "vy", bodies.vy[k],
+                "radius", bodies.radius[k], "parent", bodies.columns[ChipTable.PARENT][k]);
             TreeSet<Integer> bounced = new TreeSet<>();
             chip.get("bounce").forEach(other -> bounced.add(other.asInt()));
             comparison.same(what + "remembers", bounced, remembered(bodies, bodies.id(k)));

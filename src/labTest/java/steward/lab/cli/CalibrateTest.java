@@ -18,7 +18,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.cli.Cli;
@@ -149,21 +148,6 @@ class CalibrateTest {
         Path figures = Files.writeString(folder.resolve("mine.accuracy.json"), "old");
         Cli.run("--cli", "tradeoff --calibrate " + scene + " --states 10 --overwrite").done();
         assertEquals(10, AccuracyFigures.read(Files.readString(figures), "new").states());
-    }
-
-    @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {
-        "--calibrate nowhere | found no such file, expected a scene file",
-        "--calibrate duel | comes with the program, its figures too; expected a scene file, or --out",
-        "--calibrate duel --quick | --calibrate: found --quick with it",
-        "--calibrate duel --scene duel | --calibrate: found --scene with it",
-        "--states 100 | --states: expected --calibrate with it",
-        "--calibrate duel --states 0 | --states: found 0, expected 1 to 10000000",
-        "--calibrate duel --states x | found 'x', expected a whole number",
-        "--calibrate duel --calibrate duel --out somewhere | found two scenes for somewhere/duel.accuracy.json",
-        "--calibrate duel --out /proc/none | /proc/none: cannot be made"})
-    void aWrongCallIsRefused(String arguments, String message) {
-        refused(message, "tradeoff " + arguments);
     }
 
     private static void refused(String message, String call) {

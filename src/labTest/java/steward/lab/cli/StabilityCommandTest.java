@@ -134,25 +134,6 @@ class StabilityCommandTest {
             stability("--case", "rounding", "--out", out.toString(), "--overwrite").status());
     }
 
-    @Test
-    void aWrongCallIsRefusedBeforeTheWork() throws IOException {
-        Path file = Files.writeString(folder.resolve("file"), "precious");
-        refused("found a file, expected a folder", "--out", file.toString());
-        refused("there is no folder", "--out", folder + "/no/such");
-        refused("exclude each other", "--long");
-        refused("did you mean 'rounding'?", "--case", "roundin");
-        refused("--rung: found 'exakt', expected one of step/1; ", "--rung", "exakt");
-        refused("did you mean 'exact'?", "--rung", "exakt");
-        refused("--impacts: found 0, expected 1 to ", "--impacts", "0");
-        refused("expected --out", "--overwrite");
-        refused("--golden is about everything", "--golden", "--case", "rounding");
-        assertEquals("precious", Files.readString(file));
-    }
-
-    private static void refused(String message, String... more) {
-        stability(more).assertRefused(message);
-    }
-
     /** An interrupted run leaves the rows that were measured, in files that are whole; the last one has no end. */
     @Test
     @Tag("process")

@@ -61,24 +61,6 @@ class TradeoffCommandTest {
         tradeoff(false, "--scene", "duel", "--out", out.toString()).assertRefused("exists already, and is kept");
     }
 
-    @Test
-    void aWrongCallIsRefusedBeforeTheWork() throws IOException {
-        Path file = Files.writeString(folder.resolve("file"), "precious");
-        refused("did you mean 'grazing'?", "--scene", "grasing");
-        refused("did you mean 'official-race'?", "--scene", "oficial-race");
-        refused("no such file", "--scene", folder + "/none.json");
-        refused("found a file, expected a folder", "--out", file.toString());
-        refused("there is no folder", "--out", folder + "/no/such");
-        refused("expected --out", "--overwrite");
-        Path broken = Files.writeString(folder.resolve("scene.json"), "{ \"name\": 3 }");
-        refused(broken.toString(), "--scene", broken.toString());
-        assertEquals("precious", Files.readString(file));
-    }
-
-    private static void refused(String message, String... more) {
-        Cli.run(List.of("tradeoff"), more).assertRefused(message);
-    }
-
     /** An interrupted run leaves the scenes that were measured, in files that are whole. */
     @Test
     @Tag("process")

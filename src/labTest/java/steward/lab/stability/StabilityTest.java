@@ -69,15 +69,11 @@ class StabilityTest {
         return Arithmetic.DOUBLE.text().equals(row.get()[1]);
     }
 
+    /** In {@code test} all but the longest, on a rung that many games are played on. */
     static Stream<Arguments> longRows() {
-        return rows(StabilityTest::takesLong);
-    }
-
-    /** The long cases but the longest on a rung that many games are played on; on all rungs they are a campaign. */
-    static Stream<Arguments> someLongRows() {
-        return rows(each -> takesLong(each) && !LONGEST.contains(each.name()))
-            .filter(row -> ONLY_EXACT.contains(row.get()[0]) ? Arithmetic.EXACT.text().equals(row.get()[1])
-                : isWhereGamesArePlayed(row));
+        return rows(StabilityTest::takesLong).filter(row -> TestSize.isWhole() || !LONGEST.contains(row.get()[0])
+            && (ONLY_EXACT.contains(row.get()[0]) ? Arithmetic.EXACT.text().equals(row.get()[1])
+                : isWhereGamesArePlayed(row)));
     }
 
     private static boolean takesLong(StabilityCase each) {
@@ -106,13 +102,7 @@ class StabilityTest {
 
     @ParameterizedTest(name = "{0}, {1}")
     @Tag("slow")
-    @MethodSource("someLongRows")
-    void theDemandOfALongCaseIsMetWhereGamesArePlayed(String name, String rungName, StabilityCase each, Rung rung) {
-        theDemandIsMet(name, rungName, each, rung);
-    }
-
-    @ParameterizedTest(name = "{0}, {1}")
-    @Tag("campaign")
+    @Tag("sized")
     @MethodSource("longRows")
     void theDemandOfALongCaseIsMet(String name, String rungName, StabilityCase each, Rung rung) {
         theDemandIsMet(name, rungName, each, rung);
@@ -165,14 +155,10 @@ class StabilityTest {
 
     @Test
     @Tag("slow")
+    @Tag("sized")
     void aCaseSeesTheSameTwice() {
-        assertSeenTwice(Rung.all().stream().filter(rung -> rung.name().equals(Arithmetic.DOUBLE.text())).toList());
-    }
-
-    @Test
-    @Tag("campaign")
-    void aCaseSeesTheSameTwiceOnEachRung() {
-        assertSeenTwice(Rung.all());
+        assertSeenTwice(Rung.all().stream().filter(rung -> TestSize.isWhole()
+            || rung.name().equals(Arithmetic.DOUBLE.text())).toList());
     }
 
     private static void assertSeenTwice(List<Rung> rungs) {
@@ -188,26 +174,16 @@ class StabilityTest {
     /** A rung that never finds an impact: the demands must notice. */
     @Test
     @Tag("slow")
+    @Tag("sized")
     void aRungThatMissesEverythingFails() {
-        assertOnlyRoundingHolds(BLIND, shortOnes());
-    }
-
-    @Test
-    @Tag("campaign")
-    void aRungThatMissesEverythingFailsInLongCasesToo() {
-        assertOnlyRoundingHolds(BLIND, quickOnes());
+        assertOnlyRoundingHolds(BLIND);
     }
 
     @Test
     @Tag("slow")
+    @Tag("sized")
     void aRungThatRefusesEverythingFails() {
-        assertOnlyRoundingHolds(refusing(), shortOnes());
-    }
-
-    @Test
-    @Tag("campaign")
-    void aRungThatRefusesEverythingFailsInLongCasesToo() {
-        assertOnlyRoundingHolds(refusing(), quickOnes());
+        assertOnlyRoundingHolds(refusing());
     }
 
     private static Rung refusing() {
@@ -217,7 +193,8 @@ class StabilityTest {
     }
 
     /** The case about rounding plays no turn. */
-    private static void assertOnlyRoundingHolds(Rung wrong, List<StabilityCase> cases) {
+    private static void assertOnlyRoundingHolds(Rung wrong) {
+        List<StabilityCase> cases = TestSize.isWhole() ? quickOnes() : shortOnes();
         assertEquals(List.of("rounding"), not(noticed(wrong, cases), cases));
     }
 

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.cli.Cli;
+import steward.match.TestSize;
 import tools.jackson.databind.JsonNode;
 
 /** Rows of a league's database that cannot be used: refused by name, listed, set aside. */
@@ -164,14 +165,9 @@ class VerifyTest {
 
     @Test
     @Tag("slow")
+    @Tag("sized")
     void everyChangeOfARowIsSeen() throws IOException {
-        damage(rows.columns());
-    }
-
-    @Test
-    @Tag("campaign")
-    void twoThousandChangesOfRowsAreSeen() throws IOException {
-        damage(2000);
+        damage(TestSize.of(rows.columns(), 2000));
     }
 
     private void damage(int times) throws IOException {

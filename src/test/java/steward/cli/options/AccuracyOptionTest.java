@@ -14,7 +14,6 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
 import steward.cli.shared.ExitStatus;
@@ -81,16 +80,6 @@ class AccuracyOptionTest {
         duel(rough, "--accuracy=step/1");
         assertEquals(states(own), states(official));
         assertNotEquals(states(own), states(rough));
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"match --scene duel --bot sh --bot sh", "play --json-league sh sh", "referee -p1 sh -p2 sh",
-        "demo", "explain duel"})
-    void aWrongRungIsRefusedByEveryCommand(String call) {
-        refused(call + " --accuracy exakt", "found \"exakt\", expected ", "did you mean \"exact\"?");
-        refused(call + " --accuracy step/1025", "found \"step/1025\", expected step/ and a whole number 1..1024");
-        refused(call + " --accuracy step/0", "expected step/ and a whole number 1..1024");
-        refused(call + " --accuracy event/dubble", "did you mean \"double\"?");
     }
 
     private static void refused(String call, String... messages) {

@@ -57,31 +57,6 @@ class SandboxOptionsTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-        --sandbox soft                       | --sandbox: found 'soft', expected auto, strict, light or off
-        --memory lots                        | --memory: found 'lots', expected a size such as 512M or 2G
-        --memory 1M                          | --memory: found 1M, expected 16M to 1024T
-        --memory 9999T                       | --memory: found 9999T, expected 16M to 1024T
-        --memory 0                           | --memory: found 0, expected 16M to 1024T
-        --memory 99999999999G                | --memory: found 99999999999G, expected 16M to 1024T
-        --processes 1                        | --processes: found 1, expected 4 to
-        --open-files 3                       | --open-files: found 3, expected 64 to
-        --file-size 1K                       | --file-size: found 1K, expected 512M to 1024T
-        --env A=1                            | --env: found 'A=1', expected the name of a variable
-        --env STEWARD_NO_SUCH_VARIABLE       | --env: there is no variable 'STEWARD_NO_SUCH_VARIABLE'
-        --sandbox off --memory 1G            | --memory: found no way to hold it at level off
-        --sandbox off --processes 9          | --processes: found no way to hold it at level off
-        --sandbox off --network              | --network: expected --sandbox light or strict with it
-        --sandbox off --visible /            | --visible: expected --sandbox strict with it
-        --visible /no/such/dir               | --visible: found '/no/such/dir', expected a file or folder that is there
-        """)
-    void whatCannotBeUsedIsRefused(String options, String message) {
-        List<String> call = new ArrayList<>(List.of("match", "--scene", "duel", "--bot", "sh", "--bot", "sh"));
-        call.addAll(List.of(options.strip().split(" +")));
-        Cli.run(call.toArray(String[]::new)).assertRefused(message.strip());
-    }
-
-    @ParameterizedTest
-    @CsvSource(delimiter = '|', textBlock = """
         /        | expected the files or folders that the bot needs
         /dev     | expected a path outside /dev and /proc
         /proc/1  | expected a path outside /dev and /proc

@@ -21,25 +21,6 @@ class RunCommandTest {
     @TempDir
     private Path temp;
 
-    @Test
-    void aRunIsRecordedVerifiedAndTabled() throws IOException {
-        Path replay = temp.resolve("c.jsonl");
-        Path tables = temp.resolve("tables");
-        Cli run = Cli.run("run", "cradle", "--seed", "7", "--out", replay.toString(), "--csv", tables.toString());
-        assertEquals(ExitStatus.DONE, run.status(), run.err());
-        assertTrue(run.out().startsWith("cradle, seed 7, event/double: 40 turns, at most 40 turns are played\n"),
-            run.out());
-        List<String> turns = Files.readAllLines(tables.resolve("turns.csv"));
-        assertEquals("turn,energy [m u^2/turn^2],momentumX [m u/turn],momentumY [m u/turn],impacts", turns.get(0)
-            .substring(0, turns.get(0).indexOf(",potential")));
-        assertTrue(turns.get(1).startsWith("0,800.0,40.0,0.0,0,0.0,,0.0,0.0,"), turns.get(1));
-        assertTrue(turns.get(41).startsWith("40,800.0,"), turns.get(41));
-        assertEquals(1 + 41 * 6, Files.readAllLines(tables.resolve("states.csv")).size());
-        long impacts = turns.stream().skip(1).mapToLong(row -> Long.parseLong(row.split(",")[4])).sum();
-        assertEquals(1 + impacts, Files.readAllLines(tables.resolve("impacts.csv")).size());
-        assertEquals(ExitStatus.DONE, Cli.run("replay", replay.toString(), "--verify").status());
-    }
-
     /** A run that is ended before its time: whole turns in each file, and in all tables as many. */
     @Test
     @Tag("process")
@@ -75,110 +56,6 @@ class RunCommandTest {
         }
         Cli verified = Cli.run("replay", replay.toString(), "--verify");
         assertTrue(verified.out().startsWith("verified up to the cut"), verified.out() + verified.err());
-    }
-
-    @Test
-    void fewerTurnsStandInTheScene() {
-        Path replay = temp.resolve("g.jsonl");
-        Cli run = Cli.run("run", "gas", "--turns", "2", "--accuracy", "step/4", "--out", replay.toString());
-        assertTrue(run.out().contains("step/4: 2 turns, at most 2 turns are played"),
-            run.out());
-        assertEquals(ExitStatus.DONE, Cli.run("replay", replay.toString(), "--verify").status());
-    }
-
-    /** A disc of infinite mass presses another against the right side of the box, and leaves it in turn 19 itself. */
-    @Test
-    void turnsAtTheBoundAndBodiesThatLeaveAreNamed() throws IOException {
-        Path scene = temp.resolve("piston.json");
-        Files.writeString(scene, """
-            { "name": "piston", "game": "bodies", "players": 0,
-              "field": { "width": 1000, "height": 1000, "walls": "box" },
-              "impacts": { "maximumImpactsPerTurn": 100 },
-              "bodies": { "listed": [ { "x": 500, "y": 500, "radius": 20 },
-                { "x": 100, "y": 500, "vx": 50, "radius": 30, "mass": "infinite" } ] },
-              "play": { "maximumTurns": 20 }, "accuracy": { "advance": "event", "arithmetic": "double" } }
-            """);
-        Path tables = temp.resolve("piston");
-        Cli run = Cli.run("run", scene.toString(), "--csv", tables.toString()).done();
-        assertTrue(run.out().contains("4 of 20 turns reached the bound on impacts, the first of them turn 17: "),
-            run.out());
-        assertTrue(run.err().contains("piston.json:5:5: found a body of infinite mass that leaves the field in turn 19 "
-            + "of 20, expected one that stays in it: no wall holds it"), run.err());
-        List<String> turns = Files.readAllLines(tables.resolve("turns.csv"));
-        assertTrue(turns.get(2).contains(",0.0,,0.0,0.0,"), turns.get(2));
-        assertTrue(Double.parseDouble(turns.get(20).split(",")[6]) < 1, turns.get(20));
-        Cli json = Cli.run("run", scene.toString(), "--json");
-        assertTrue(json.out().contains("\"limitTime\":null") && json.out().contains("\"limitTime\":0."), json.out());
-    }
-
-    /**
-     * A light disc between a wall and a heavy one, e = 0.9: their impacts collapse, and what is left rests. The table
-     * tells how much that was.
-     */
-    @Test
-    void energyLostToRestIsTold() throws IOException {
-        Path scene = temp.resolve("squeeze.json");
-        Files.writeString(scene, """
-            { "name": "squeeze", "game": "bodies", "players": 0, "field": { "width": 1000, "height": 1000,
-                "walls": [ { "type": "half-plane", "x": 0, "y": 0, "insideX": 1, "insideY": 0 } ] },
-              "bodies": { "listed": [ { "x": 10, "y": 500, "radius": 10, "restitution": 0.9 },
-                { "x": 60, "y": 500, "vx": -50, "radius": 10, "mass": 3000, "restitution": 0.9 } ] },
-              "play": { "maximumTurns": 20 }, "accuracy": { "advance": "event", "arithmetic": "double" } }
-            """);
-        Path tables = temp.resolve("squeeze");
-        Cli run = Cli.run("run", scene.toString(), "--csv", tables.toString());
-        assertTrue(run.out().contains("Rest took the energy "), run.out());
-        double sum = 0;
-        double before = 0;
-        for (String row : Files.readAllLines(tables.resolve("turns.csv")).subList(1, 22)) {
-            String[] cells = row.split(",", -1);
-            double rest = Double.parseDouble(cells[7]);
-            assertTrue(rest >= 0 && rest <= 1e-6 * before, row);
-            sum += rest;
-            assertEquals(sum, Double.parseDouble(cells[8]), row);
-            before = Double.parseDouble(cells[1]);
-        }
-        assertTrue(sum > 0);
-        assertTrue(Cli.run("run", scene.toString(), "--json").out().contains("\"restSum\":"));
-    }
-
-    /** Whether and when a fill of infinite mass leaves is said when the scene is opened, for any seed. */
-    @Test
-    void fillsOfInfiniteMassThatLeaveAreNamed() throws IOException {
-        Path scene = temp.resolve("unstoppable.json");
-        for (String[] each : new String[][] {{"50", "leave the field by turn 41 of 60"},
-            {"[1, 50]", "may leave the field within 60 turns"}, {"0.1", ""}}) {
-            Files.writeString(scene, """
-                { "name": "unstoppable", "game": "bodies", "players": 0,
-                  "field": { "width": 1000, "height": 1000, "walls": "box" },
-                  "bodies": { "fill": { "count": 2, "radius": 10, "mass": "infinite", "speed": SPEED,
-                    "in": { "x": 500, "y": 500, "radius": 100 } } },
-                  "play": { "maximumTurns": 60 }, "accuracy": { "advance": "event", "arithmetic": "double" } }
-                """.replace("SPEED", each[0]));
-            Cli run = Cli.run("run", scene.toString());
-            assertEquals(each[1].isEmpty() ? "" : "unstoppable.json:3:23: found bodies of infinite mass that "
-                + each[1] + ", expected ones that stay in it: no wall holds them",
-                run.err().replaceFirst("^.*(?=unstoppable.json)", "").strip(), run.err());
-        }
-    }
-
-    /** In free flight the sum of (v + a/2)^2 / 2 and minus a times the way is that of the start, 1/2 for a = 2. */
-    @Test
-    void energyAndPotentialAddUpInFreeFlight() throws IOException {
-        Path scene = temp.resolve("fall.json");
-        Files.writeString(scene, """
-            { "name": "fall", "game": "bodies", "players": 0, "field": { "width": 1000, "height": 1000 },
-              "bodies": { "listed": [ { "x": 500, "y": 100, "radius": 20 } ] },
-              "play": { "maximumTurns": 10, "gravity": { "x": 0, "y": 2 } },
-              "accuracy": { "advance": "event", "arithmetic": "double" } }
-            """);
-        Path tables = temp.resolve("fall");
-        Cli run = Cli.run("run", scene.toString(), "--csv", tables.toString());
-        assertTrue(run.out().contains("potential"), run.out());
-        for (String row : Files.readAllLines(tables.resolve("turns.csv")).subList(1, 12)) {
-            String[] cells = row.split(",");
-            assertEquals(0.5, Double.parseDouble(cells[1]) + Double.parseDouble(cells[5]), 1e-12, row);
-        }
     }
 
     /**

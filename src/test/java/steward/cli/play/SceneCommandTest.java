@@ -64,19 +64,4 @@ class SceneCommandTest {
         assertEquals(schema, Cli.run("scene", "--schema").out());
         assertEquals(schema, Cli.run("scene", "duel", "--schema").out());
     }
-
-    @Test
-    void aMisspeltNameSuggestsTheNearest() {
-        for (String[] call : new String[][] {{"scene", "duell"}, {"scene", "duell", "--schema"}}) {
-            Cli cli = Cli.run(call);
-            assertEquals(ExitStatus.UNUSABLE, cli.status());
-            assertEquals("steward: duell: found no scene of this name, expected one of \"avalanche\", "
-                + "\"billiards\", \"bowl\", \"bullets\", \"cradle\", \"dense-box\", \"duel\", "
-                + "\"fantastic-bits-contest\", \"fantastic-bits\", \"gas\", "
-                + "\"mad-pod-racing-silver\", \"mad-pod-racing\", \"mean-max\", \"poker-chip-race\", "
-                + "\"search-race\", \"walled-race\"; did you mean \"duel\"?\n",
-                cli.err());
-            assertEquals("", cli.out());
-        }
-    }
 }

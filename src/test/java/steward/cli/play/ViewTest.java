@@ -167,19 +167,6 @@ class ViewTest {
     }
 
     @Test
-    void whatIsNoReplayLeavesNoPage() throws IOException {
-        Path file = folder.resolve("x.jsonl");
-        Path page = folder.resolve("x.html");
-        for (String text : new String[] {"", "hello\n", "{\"type\":\"steward-replay\",\"format\":999}\n"}) {
-            Files.writeString(file, text);
-            refused("x.jsonl", "replay", file.toString(), "--view", page.toString());
-            refused("x.jsonl", "replay", file.toString(), "--open");
-        }
-        refused("found no such file", "replay", folder + "/none", "--view", page.toString());
-        assertFalse(Files.exists(page));
-    }
-
-    @Test
     void aMatchThatCannotEndLeavesNoPage() {
         assumeTrue(Files.isWritable(Path.of("/dev/full")), "there is no /dev/full");
         Path page = folder.resolve("x.html");

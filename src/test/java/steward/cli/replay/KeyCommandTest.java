@@ -155,13 +155,6 @@ class KeyCommandTest {
     }
 
     @Test
-    void signingNeedsSomethingToSign() {
-        Cli cli = Cli.run("match", "--bot", "builtin:racer", "--bot", "builtin:racer", "--sign", mine.toString());
-        assertEquals(ExitStatus.UNUSABLE, cli.status());
-        assertTrue(cli.err().startsWith("steward: --sign: expected --out with it"), cli.err());
-    }
-
-    @Test
     void keysThatAreNone() throws IOException {
         String pem = Files.readString(mine);
         Path file = folder.resolve("wrong");

@@ -155,12 +155,6 @@ class NewCommandTest {
     }
 
     @Test
-    void whatARefusalNamesIsNotRefused() {
-        assertEquals("steward: --game: found 'none', expected one of " + String.join(", ", Games.ids()) + "\n",
-            Cli.run("new", "python", folder.toString(), "--game", "none").err());
-    }
-
-    @Test
     void itSaysWhichProtocolItWritesAndTakesAnother() {
         String usual = Cli.run("new", "python", folder.resolve("usual").toString()).out();
         assertTrue(usual.contains("It speaks JSON."), usual);
@@ -179,12 +173,5 @@ class NewCommandTest {
         assertEquals("precious", Files.readString(mine));
         assertEquals("steward: " + mine + ": found a file, expected a new or empty folder\n",
             Cli.run("new", "python", mine.toString()).err());
-    }
-
-    @Test
-    void anUnknownLanguageNamesTheNearest() {
-        assertEquals("steward: LANGUAGE: found 'pyhton', expected one of python, java, cpp, js; did you mean "
-            + "'python'?\n",
-            Cli.run("new", "pyhton", folder.toString()).err());
     }
 }

@@ -19,6 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import steward.game.GameSetup;
 import steward.match.Seat;
 import steward.match.TestScenes;
+import steward.match.TestSize;
 import steward.match.TimeControl;
 
 /**
@@ -40,15 +41,9 @@ class ContestantBotsTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"pilot.cpp", "Pilot.java", "pilot.py"})
+    @Tag("sized")
     void playWithoutAFault(String source, TestReporter report) throws IOException, InterruptedException {
-        play(report, source, FEW);
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"pilot.cpp", "Pilot.java", "pilot.py"})
-    @Tag("campaign")
-    void playManyMatchesWithoutAFault(String source, TestReporter report) throws IOException, InterruptedException {
-        play(report, source, MANY);
+        play(report, source, TestSize.of(FEW, MANY));
     }
 
     private void play(TestReporter report, String name, int matches) throws IOException, InterruptedException {

@@ -26,6 +26,7 @@ import steward.game.GroundTruth;
 import steward.game.fantasticbits.FantasticBits;
 import steward.game.fantasticbits.Pitch;
 import steward.match.TestScenes;
+import steward.match.TestSize;
 import steward.replay.verify.Verification;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -35,9 +36,10 @@ import tools.jackson.databind.node.ObjectNode;
 /**
  * Numbers and words of the frames of a turn of the server, changed one at a time: the import refuses it, or the
  * verification finds it or names it as near, or it is among those that the verification says are not compared. Every
- * 13th is changed here, and each in {@link EveryWordIsComparedTest}.
+ * 13th is changed in {@code test}, and each in {@code campaigns}.
  */
 @Tag("slow")
+@Tag("sized")
 @Execution(ExecutionMode.CONCURRENT)
 class WordsAreComparedTest {
 
@@ -50,8 +52,8 @@ class WordsAreComparedTest {
     private int words;
 
     /** Of so many words one is changed. */
-    int step() {
-        return 13;
+    private static int step() {
+        return TestSize.of(13, 1);
     }
 
     /** Requires that exactly these are not found, or no others where words are left out. */

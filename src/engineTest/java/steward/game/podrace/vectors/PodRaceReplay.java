@@ -116,16 +116,10 @@ public final class PodRaceReplay extends VectorReplay<PodRace> {
             Impact impact = race.log().impact(k);
             String what = when + " impact " + k + " ";
             comparison.impact();
-            comparison.same(what + "a", of.get("a").asInt(), impact.a());
-            comparison.same(what + "b", of.get("b").asInt(), impact.b());
-            comparison.same(what + "t", of.get("t").asDouble(), impact.time());
-            comparison.same(what + "impulse", of.get("impulse").asDouble(), impact.impulse());
-            comparison.same(what + "ax", of.get("ax").asDouble(), impact.ax());
-            comparison.same(what + "ay", of.get("ay").asDouble(), impact.ay());
-            comparison.same(what + "bx", of.get("bx").asDouble(), impact.bx());
-            comparison.same(what + "by", of.get("by").asDouble(), impact.by());
-            comparison.same(what + "hx", of.get("hx").asDouble(), (impact.vaxBefore() + impact.vbxBefore()) / 2);
-            comparison.same(what + "hy", of.get("hy").asDouble(), (impact.vayBefore() + impact.vbyBefore()) / 2);
+            comparison.fields(what, of, "a", impact.a(), "b", impact.b(), "t", impact.time(),
+                "impulse", impact.impulse(), "ax", impact.ax(), "ay", impact.ay(), "bx", impact.bx(),
+                "by", impact.by(), "hx", (impact.vaxBefore() + impact.vbxBefore()) / 2,
+                "hy", (impact.vayBefore() + impact.vbyBefore()) / 2);
         }
         comparePaths(when, turn, race);
     }

@@ -16,6 +16,7 @@ import steward.game.Comparison;
 import steward.game.GroundTruth;
 import steward.game.VectorMatch;
 import steward.game.podrace.simulator.CppHeader;
+import steward.match.TestSize;
 
 /**
  * Matches of the published referee, played by the simulator and by the header for bots. Another folder of this form:
@@ -30,15 +31,9 @@ class PodRaceVectorsTest {
 
     @Test
     @Tag("process")
+    @Tag("sized")
     void theSimulatorPlaysTheSameTurns(TestReporter report) throws IOException {
-        compareSimulator(report, false);
-    }
-
-    @Test
-    @Tag("process")
-    @Tag("campaign")
-    void theSimulatorPlaysTheSameTurnsOfEveryMatch(TestReporter report) throws IOException {
-        compareSimulator(report, true);
+        compareSimulator(report, TestSize.isWhole());
     }
 
     private static void compareSimulator(TestReporter report, boolean all) throws IOException {
@@ -63,15 +58,9 @@ class PodRaceVectorsTest {
 
     @Test
     @Tag("process")
+    @Tag("sized")
     void theHeaderForBotsPlaysTheSameTurns(TestReporter report) throws IOException, InterruptedException {
-        theHeaderPlaysTheSameTurns(new CppHeader(report, false), false);
-    }
-
-    @Test
-    @Tag("process")
-    @Tag("campaign")
-    void byEveryFlagTheHeaderForBotsPlaysTheSameTurns(TestReporter report) throws IOException, InterruptedException {
-        theHeaderPlaysTheSameTurns(new CppHeader(report, true), true);
+        theHeaderPlaysTheSameTurns(new CppHeader(report, TestSize.isWhole()), TestSize.isWhole());
     }
 
     private static void theHeaderPlaysTheSameTurns(CppHeader started, boolean all)

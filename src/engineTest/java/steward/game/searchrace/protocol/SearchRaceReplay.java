@@ -88,13 +88,9 @@ public final class SearchRaceReplay extends VectorReplay<SearchRace> {
     @Override
     protected void compareState(String when, JsonNode state, SearchRace race) {
         boolean start = when.equals("turn 0");
-        comparison.same(when + " x", state.get("x").asDouble(), race.bodies().x[0]);
-        comparison.same(when + " y", state.get("y").asDouble(), race.bodies().y[0]);
-        comparison.same(when + " vx", state.get("vx").asDouble(), race.bodies().vx[0]);
-        comparison.same(when + " vy", state.get("vy").asDouble(), race.bodies().vy[0]);
-        comparison.same(when + " heading", state.get("angle").asDouble(), race.heading());
-        comparison.same(when + " passed", state.get("checkpoint").asInt(), race.passed());
-        comparison.same(when + " timer", state.get("timer").asInt(), race.timer());
+        comparison.fields(when + " ", state, "x", race.bodies().x[0], "y", race.bodies().y[0],
+            "vx", race.bodies().vx[0], "vy", race.bodies().vy[0], "angle", race.heading(),
+            "checkpoint", race.passed(), "timer", race.timer());
         comparison.same(when + " pass time", start ? 0.0 : state.get("colTime").asDouble(),
             start ? 0.0 : race.passTime());
         comparison.same(when + " debug", state.get("debug").asBoolean(), race.wantsTimes());

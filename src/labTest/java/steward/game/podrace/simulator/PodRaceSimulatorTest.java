@@ -13,6 +13,7 @@ import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 import steward.game.podrace.Recordings;
 import steward.game.podrace.protocol.PodRaceType;
+import steward.match.TestSize;
 import steward.physics.TurnLog;
 import steward.physics.event.EventAdvance;
 
@@ -40,14 +41,9 @@ class PodRaceSimulatorTest {
     }
 
     @Test
+    @Tag("sized")
     void everyBitIsThatOfThePlainKernelAndOfTheTextbook(TestReporter report) {
-        compareTurns(Long.getLong("steward.turns", TURNS / 6), report);
-    }
-
-    @Test
-    @Tag("campaign")
-    void ofManyTurnsEveryBitIsThatOfThePlainKernelAndOfTheTextbook(TestReporter report) {
-        compareTurns(TURNS, report);
+        compareTurns(TestSize.isWhole() ? TURNS : Long.getLong("steward.turns", TURNS / 6), report);
     }
 
     private void compareTurns(long wanted, TestReporter report) {

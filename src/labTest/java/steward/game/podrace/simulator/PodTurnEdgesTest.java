@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 import steward.game.podrace.protocol.PodRaceType;
+import steward.match.TestSize;
 import steward.physics.event.EventAdvance;
 import steward.scene.SceneFiles;
 import steward.scene.SceneReader;
@@ -53,15 +54,9 @@ class PodTurnEdgesTest {
 
     @ParameterizedTest
     @CsvSource({"5, 2", "8, 1"})
+    @Tag("sized")
     void everyBitOfManyPodsIsThatOfThePlainKernel(int players, int podsPerPlayer, TestReporter report) {
-        compareTurns(players, podsPerPlayer, TURNS / 10, report);
-    }
-
-    @ParameterizedTest
-    @Tag("campaign")
-    @CsvSource({"5, 2", "8, 1"})
-    void inAsManyTurnsEveryBitOfManyPodsIsThatOfThePlainKernel(int players, int podsPerPlayer, TestReporter report) {
-        compareTurns(players, podsPerPlayer, TURNS, report);
+        compareTurns(players, podsPerPlayer, TURNS / TestSize.of(10, 1), report);
     }
 
     private static void compareTurns(int players, int podsPerPlayer, long most, TestReporter report) {

@@ -30,6 +30,7 @@ import steward.league.rating.LeagueTable;
 import steward.league.rating.RatingPath;
 import steward.league.rating.Results;
 import steward.league.store.MadeUpGames;
+import steward.match.TestSize;
 
 /** A league that has just begun, in all its forms: a bar of which nothing is known is no number. */
 @Execution(ExecutionMode.CONCURRENT)
@@ -105,27 +106,14 @@ class FewGamesTest {
 
     @Test
     @Tag("slow")
+    @Tag("sized")
     void theCommandsSayNothingOfWhatIsNotKnown() {
-        assertTheCommandsSayNothingOfWhatIsNotKnown(1, 2);
-    }
-
-    @Test
-    @Tag("campaign")
-    void norOfWhatIsNotKnownAfterAFewMore() {
-        assertTheCommandsSayNothingOfWhatIsNotKnown(3, 4, 5, 6);
-    }
-
-    private void assertTheCommandsSayNothingOfWhatIsNotKnown(int... counts) {
-        for (int games : counts) {
+        for (int games = 1; games <= TestSize.of(2, 6); games++) {
             String league = folder.resolve("league" + games).toString();
             done("init", league, "--scene", "duel", "--seed", "1");
             MadeUpGames.fill(new LeagueFolder(Path.of(league)), games, 4);
             for (String[] form : new String[][] {{}, {"--json"}, {"--csv"}}) {
-                String[] words = new String[form.length + 2];
-                words[0] = "table";
-                words[1] = league;
-                System.arraycopy(form, 0, words, 2, form.length);
-                String out = done(words);
+                String out = done(Cli.words(List.of("table", league), form));
                 assertFalse(Pattern.compile("Infinity|NaN|9999|\\d{19}").matcher(out.replaceAll("seed.*", "")).find(),
                     out);
             }
