@@ -8,8 +8,9 @@ import steward.match.MatchListener;
 import steward.match.Turn;
 
 /**
- * Data about single turns that bots write to stderr: {@code [TDATA][turn] name = value} about the match,
- * {@code [PDATA][turn] name = value} about the player. Only the first {@value #MOST_CHARACTERS} characters are kept.
+ * Listener that keeps data about single turns, which bots write to stderr, for the JSON of rating tools. A line
+ * {@code [TDATA][turn] name = value} is about the match, {@code [PDATA][turn] name = value} about the player. Only the
+ * first {@value #MOST_CHARACTERS} characters are kept.
  */
 public final class LeagueAttributes implements MatchListener {
 

@@ -18,7 +18,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Importer of CodinGame's own JSON of any game that tells how its views are read. */
+/** Importer of CodinGame's own JSON into a replay, for any game that tells how its views are read. */
 final class ServerGameImport implements RecordingImport {
 
     private static final String WITH_RULES = "pod-race";

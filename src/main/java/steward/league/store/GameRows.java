@@ -7,7 +7,7 @@ import java.util.stream.Collectors;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
 
-/** Writer of rows of games within a running transaction. Not thread-safe. */
+/** Writer of games into the tables of a league's database, within a running transaction. Not thread-safe. */
 final class GameRows {
 
     /** In the column {@code counts}: a game that counts in no rating, see {@link StoredGame#allFailed}. */

@@ -8,7 +8,10 @@ import java.util.Objects;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 
-/** State of a worker as the league tracks it. Guarded by {@link RemoteGames}. */
+/**
+ * State of a worker as the league tracks it: its free slots, version, games, last word, and which bundles do not run
+ * there. Guarded by {@link RemoteGames}.
+ */
 final class WorkerState {
 
     /** Number of workers whose reasons are told. */

@@ -41,9 +41,9 @@ public final class FallenPilesCase extends StabilityCase {
             + "lie still (1e-6 u a turn) within 600 turns; in the arena, where they swing, 4 R/a ln(3e6) later. "
             + "Then turns have at most 500 impacts. None overlap by more than 1e-12 of a radius, no turn reaches "
             + "its limit, and one by one and as a crowd are the same to the bit. Every 20th turn of up to 20 discs "
-            + "is compared, in the arena every 120th: 19 of 20 are the oracle's to 1e-9 of the speeds. In the "
-            + "arena, where a path ends on the rim to 2^-40 of the room, they are so to 4 times its root. On event "
-            + "rungs of ours");
+            + "is compared, in the arena every 120th: 19 of 20 are the oracle's to 1e-9 of the speeds. A "
+            + "path in the arena ends on the rim to 2^-40 of the room; so there 19 of 20 are to 4 times the root of "
+            + "that. On event rungs of ours");
     }
 
     @Override

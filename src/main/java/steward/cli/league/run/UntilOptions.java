@@ -18,7 +18,7 @@ import steward.league.play.Roster;
 import steward.league.rating.Ratings;
 import steward.text.TextFormat;
 
-/** Options for when a league ends because it knows enough. */
+/** Options that end a league when its table is known well enough: narrow bars, or an order without doubt. */
 @OptionSection("The end")
 final class UntilOptions {
 
