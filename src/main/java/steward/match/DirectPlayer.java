@@ -3,14 +3,13 @@ package steward.match;
 import steward.bot.Answer;
 import steward.bot.FaultMessages;
 import steward.bot.LineBuffer;
-import steward.bot.Player;
 import steward.game.Game;
 
 /**
  * Adapter of a {@link DirectBot} to a player and its dialogue, without lines. Time is measured as for a bot program and
  * the limit applies, but a bot that never returns cannot be stopped.
  */
-final class DirectPlayer implements Player, Dialogue {
+final class DirectPlayer implements DialoguePlayer, Dialogue {
 
     private final String name;
     private final DirectBot bot;
@@ -24,8 +23,8 @@ final class DirectPlayer implements Player, Dialogue {
         this.bot = bot;
     }
 
-    /** The dialogue of the bot in a game. */
-    Dialogue in(Game played) {
+    @Override
+    public Dialogue in(Game played) {
         game = played;
         return this;
     }

@@ -25,6 +25,6 @@ public record Seat(Player player, Protocol protocol, Time limits) {
 
     /** Returns the dialogue with the player: its own, or that of its protocol. */
     Dialogue dialogue(Game game, Function<Protocol, Dialogue> ofProtocol) {
-        return player instanceof DirectPlayer direct ? direct.in(game) : ofProtocol.apply(protocol);
+        return player instanceof DialoguePlayer own ? own.in(game) : ofProtocol.apply(protocol);
     }
 }

@@ -4,14 +4,20 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import steward.bot.isolation.Isolation;
 import steward.cli.options.BotFolders;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.DisplayOptions;
+import steward.cli.options.OptionSection;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.ProtocolWord;
+import steward.cli.options.RefereeOption;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedFileOption;
@@ -48,6 +54,7 @@ import steward.text.TextFormat;
         "  steward match --bot ./mine --bot builtin:racer --watch --open",
         "  steward match --bot ./mine --bot builtin:racer --games 20 --swap --out games \\",
         "      --view series.html",
+        "  steward match --recorded games --bot ./new --as mine",
         "", "With many games, --view writes a page with results by seed and side, answer",
         "times and failures. It holds up to 24 MB of the replays that --out keeps. The",
         "others are pages beside it. series.html#game=7&t=20 is the address of a moment.",
@@ -62,6 +69,12 @@ import steward.text.TextFormat;
 public final class MatchCommand extends ProgramCommand {
 
     private static final int MOST_LEVEL = 20;
+    private static final List<String> OF_OTHER_GAMES = List.of("--scene", "--accuracy", "--league-level", "--seed",
+        "--seed-file", "--games", "--swap", "--out", "--sign", "--overwrite", "--keep", "--why", "--hiccups", "--random",
+        "--into", "--view", "--open", "--watch");
+
+    @Spec
+    private CommandSpec spec;
 
     @Mixin
     private final SceneOptions scene = new SceneOptions();
@@ -103,6 +116,20 @@ public final class MatchCommand extends ProgramCommand {
     @Mixin
     private final SeriesOptions many = new SeriesOptions();
 
+    @OptionSection("Recorded games")
+    @Option(names = "--recorded", paramLabel = "DIR|REPLAY", description = "Plays recorded games again, of any scene, "
+        + "with the bot in the place of one player, against the recorded answers of the others. A game goes on as long "
+        + "as the others are sent what they were sent.")
+    private String recorded;
+
+    @OptionSection("Recorded games")
+    @Option(names = "--as", paramLabel = "PLAYER", description = "With --recorded: in whose place the bot plays, a "
+        + "name or a number counted from 0.")
+    private String as;
+
+    @Mixin
+    private final RefereeOption referee = new RefereeOption();
+
     @Mixin
     private final DisplayOptions show = new DisplayOptions();
 
@@ -125,6 +152,10 @@ public final class MatchCommand extends ProgramCommand {
     public Integer call() throws InterruptedException {
         check.exclusive("--json", json, "--quiet", quiet);
         double factor = pace.factor();
+        check.that((recorded == null) == (as == null), "--recorded and --as are for each other, expected both");
+        if (recorded != null) {
+            return recorded(factor);
+        }
         many.check(out != null, list.isGiven());
         list.check(seed.isGiven(), false);
         check.that(!overwrite || out != null || show.view() != null, "--overwrite: expected --out or --view with it");
@@ -185,6 +216,20 @@ public final class MatchCommand extends ProgramCommand {
 
     private SeriesPage page() {
         return SeriesPage.of(show.view(), show.open(), overwrite);
+    }
+
+    private int recorded(double factor) throws InterruptedException {
+        for (String name : OF_OTHER_GAMES) {
+            check.that(!spec.commandLine().getParseResult().hasMatchedOption(name), "--recorded: found " + name
+                + " with it, expected none: games are played as they were recorded");
+        }
+        many.check(false, true);
+        check.that(bots.size() == 1, "--recorded: found " + TextFormat.count(bots.size(), "bot") + ", expected one");
+        Supplier<Isolation> isolation = sandbox.isolation(streams);
+        return new RecordedRun(streams, bots.get(0), folders.of("--bot").get(0), ProtocolWord.parse(protocol), as,
+            referee.types(), setup -> Contest.withoutBots(setup, factor).isolatedBy(isolation), pace,
+            json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL, strict)
+            .play(OutputFiles.path(recorded), many.threads(streams));
     }
 
     /** Number of seeds that are played: without {@code --games}, all of a list. */

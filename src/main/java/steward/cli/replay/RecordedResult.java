@@ -8,14 +8,16 @@ import steward.match.MatchResult;
 import steward.replay.ReplayReader;
 
 /** Result of a match, read back from its replay. */
-final class RecordedResult {
+public final class RecordedResult {
+
+    private RecordedResult() { }
 
     /**
      * Returns the result in the last line, or {@code null} if there is none; known at the end of the replay.
      *
      * @param names that the players go by
      */
-    static MatchResult of(ReplayReader replay, List<String> names) {
+    public static MatchResult of(ReplayReader replay, List<String> names) {
         if (replay.resultJson() == null) {
             return null;
         }

@@ -5,6 +5,7 @@ import steward.bot.LineBuffer;
 import steward.game.GameTypes;
 import steward.match.Dialogue;
 import steward.replay.RecordedTurn;
+import steward.replay.ReplayHeader;
 import steward.replay.ReplayReader;
 import steward.replay.verify.Resimulation;
 
@@ -19,11 +20,16 @@ public final class SentLines {
 
     /** @param replay with a header; its turns are the caller's to read */
     public SentLines(ReplayReader replay, GameTypes types) {
-        match = new Resimulation(replay.header(), replay.start(), types, replay.source());
-        dialogues = new Dialogue[replay.header().names().size()];
+        this(replay.header(), new Resimulation(replay.header(), replay.start(), types, replay.source()));
+    }
+
+    /** @param match of the header, nothing played yet */
+    SentLines(ReplayHeader header, Resimulation match) {
+        this.match = match;
+        dialogues = new Dialogue[header.names().size()];
         for (int player = 0; player < dialogues.length; player++) {
-            dialogues[player] = Dialogue.of(replay.header().protocols().get(player), match.setup(), match.game(),
-                match.codec(), replay.header().limits());
+            dialogues[player] = Dialogue.of(header.protocols().get(player), match.setup(), match.game(),
+                match.codec(), header.limits());
         }
     }
 

@@ -1,0 +1,260 @@
+package steward.cli.play;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
+import steward.cli.options.TimeLimitOptions;
+import steward.cli.replay.RecordedResult;
+import steward.cli.replay.ReplayCommand;
+import steward.cli.shared.ExitStatus;
+import steward.cli.shared.Games;
+import steward.cli.shared.PlayerChoice;
+import steward.cli.shared.Verbosity;
+import steward.cli.streams.Json;
+import steward.cli.streams.ProgressLine;
+import steward.cli.streams.Streams;
+import steward.contest.Contest;
+import steward.contest.Contest.Entrant;
+import steward.contest.WorkerThreads;
+import steward.files.InputException;
+import steward.files.Remedied;
+import steward.game.GameSetup;
+import steward.game.GameTypes;
+import steward.guest.GuestType;
+import steward.json.JsonObject;
+import steward.match.GuestSetup;
+import steward.match.MatchResult;
+import steward.match.Protocol;
+import steward.match.Seat;
+import steward.replay.RecordedMatch;
+import steward.replay.ReplayException;
+import steward.replay.ReplayReader;
+import steward.replay.feed.Rematch;
+import steward.scene.json.SceneException;
+import steward.text.TextFormat;
+import tools.jackson.core.JsonGenerator;
+
+/**
+ * Recorded games played again with a bot in the place of a player, and the table of what became of each.
+ *
+ * @param bot     as it is written in the call, and its folder
+ * @param usual   what a bot without a prefix speaks, but to referees of their own
+ * @param as      the player in whose place it plays, as it was typed
+ * @param types   for playing: whether the referees that replays name are run
+ * @param contest how a bot is seated in a scene
+ * @param strict  whether a failure of the bot makes the exit status 1
+ */
+record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, String as, GameTypes types,
+                   Seating contest, TimeLimitOptions pace, Verbosity report, boolean strict) {
+
+    private static final String REPLAYS = ".jsonl";
+    private static final String OPTION = "--as";
+
+    /** Makes a contest of a scene in which the bot alone is started. */
+    @FunctionalInterface
+    interface Seating {
+        Contest of(GameSetup setup);
+    }
+
+    /**
+     * What became of a game.
+     *
+     * @param name     of its file
+     * @param recorded points of the player then, or {@code null}
+     * @param points   of the bot now, or {@code null}
+     * @param outcome  {@code null} where it could not be played
+     * @param problem  then, why not
+     */
+    private record Row(String name, Double recorded, Double points, Rematch.Outcome outcome, String problem) {
+
+        boolean is(Rematch.Ending ending) {
+            return outcome != null && outcome.ending() == ending;
+        }
+
+        String text() {
+            return outcome == null ? "not played: " + problem : switch (outcome.ending()) {
+                case UNCHANGED -> "unchanged to the end" + (points == null ? "" : ": " + word(points)
+                    + (recorded == null || recorded.equals(points) ? "" : ", recorded " + word(recorded)));
+                case DEPARTED -> "departed at turn " + outcome.turn() + ": " + outcome.reason();
+                case FAILED -> "failed in turn " + outcome.turn() + ": " + outcome.reason();
+            };
+        }
+
+        private static String word(double points) {
+            return points == 1 ? "won" : points == 0 ? "lost" : "drawn";
+        }
+    }
+
+    /** Plays all games of a folder, or the one of a file. */
+    int play(Path games, int threads) throws InterruptedException {
+        List<Path> files = files(games);
+        String name = entrant(usual).name();
+        Row[] rows = new Row[files.size()];
+        AtomicInteger next = new AtomicInteger();
+        try (ProgressLine progress = report == Verbosity.FULL
+                ? ProgressLine.watched(streams, "games", files.size()) : null) {
+            WorkerThreads.run("games", Math.min(threads, files.size()), thread -> () -> {
+                for (int k = next.getAndIncrement(); k < rows.length; k = next.getAndIncrement()) {
+                    rows[k] = row(files.get(k));
+                    if (progress != null) {
+                        progress.step();
+                    }
+                }
+                return null;
+            });
+        } finally {
+            GuestType.endIdle();
+        }
+        tell(name, List.of(rows));
+        boolean all = Arrays.stream(rows).allMatch(row -> row.outcome != null);
+        boolean failed = Arrays.stream(rows).anyMatch(row -> row.is(Rematch.Ending.FAILED));
+        return all && !(strict && failed) ? ExitStatus.DONE : ExitStatus.FAILED;
+    }
+
+    private Entrant entrant(Protocol protocol) {
+        Entrant entrant = Contest.entrant(bot, folder, null, protocol);
+        if (entrant.problem() != null) {
+            throw new InputException(entrant.problem());
+        }
+        return entrant;
+    }
+
+    private static List<Path> files(Path games) {
+        if (!Files.isDirectory(games)) {
+            return List.of(games);
+        }
+        try (Stream<Path> found = Files.list(games)) {
+            List<Path> files = found.filter(file -> file.toString().endsWith(REPLAYS)).sorted().toList();
+            if (files.isEmpty()) {
+                throw new InputException("--recorded: found no file " + games.resolve("*" + REPLAYS)
+                    + ", expected replays");
+            }
+            return files;
+        } catch (IOException problem) {
+            throw new InputException("--recorded: " + games + " cannot be read: " + problem.getMessage());
+        }
+    }
+
+    private Row row(Path file) throws InterruptedException {
+        String name = file.getFileName().toString();
+        RecordedMatch match;
+        MatchResult then;
+        try (ReplayReader replay = ReplayCommand.open(file)) {
+            match = RecordedMatch.read(replay);
+            then = RecordedResult.of(replay, match.header().names());
+        } catch (ReplayException problem) {
+            return new Row(name, null, null, null, problem.getMessage());
+        }
+        try {
+            int seat = PlayerChoice.of(OPTION, as, match.header().names(), name);
+            Rematch rematch = new Rematch(match, types, Games.types(false), seat);
+            Contest seated = contest.of(rematch.setup()).between(List.of(entrant(rematch.setup().isGuest()
+                ? Protocol.CODINGAME : usual)));
+            Contest.checkPlayable(seated.setup(), seated.entrants());
+            seated = pace.limit(seated);
+            Entrant entrant = seated.entrants().get(0);
+            GameSetup isolated = seated.setup();
+            Rematch.Outcome outcome = rematch.play(new Seat(seated.player(entrant), entrant.protocol(),
+                seated.limits(List.of(entrant)).get(0)), seated.time(),
+                setup -> setup instanceof GuestSetup ? isolated : setup);
+            return new Row(name, points(then, seat), points(outcome.result(), seat), outcome, null);
+        } catch (ReplayException | SceneException | InputException | UncheckedIOException problem) {
+            if (problem instanceof Remedied remedied && !remedied.remedies().isEmpty()) {
+                throw problem;                       // an option of the call is missing, for all games of its kind
+            }
+            return new Row(name, points(then, seat(match)), null, null, problem.getMessage());
+        }
+    }
+
+    private int seat(RecordedMatch match) {
+        return Math.max(0, match.header().names().indexOf(as));
+    }
+
+    /** 1 for a win, 1/2 for a draw; {@code null} without a result or others. */
+    private static Double points(MatchResult result, int seat) {
+        if (result == null || result.players().size() < 2) {
+            return null;
+        }
+        int rank = result.players().get(seat).rank();
+        boolean shared = result.players().stream().filter(player -> player.rank() == rank).count() > 1;
+        return rank > 0 ? 0 : shared ? 0.5 : 1;
+    }
+
+    private void tell(String name, List<Row> rows) {
+        if (report == Verbosity.JSON) {
+            Json.print(streams, object -> {
+                object.writeStringProperty("bot", name);
+                object.writeStringProperty("as", as);
+                for (Rematch.Ending ending : Rematch.Ending.values()) {
+                    object.writeNumberProperty(ending.name().toLowerCase(Locale.ROOT), of(rows, ending).size());
+                }
+                object.writeNumberProperty("notPlayed", rows.stream().filter(row -> row.outcome == null).count());
+                JsonObject.writeAll(object, "games", rows, row -> {
+                    object.writeStringProperty("replay", row.name);
+                    object.writeStringProperty("outcome", row.outcome == null ? "notPlayed"
+                        : row.outcome.ending().name().toLowerCase(Locale.ROOT));
+                    if (row.outcome != null) {
+                        object.writeNumberProperty("turn", row.outcome.turn());
+                    }
+                    object.writeStringProperty("reason", row.outcome == null ? row.problem : row.outcome.reason());
+                    writePoints(object, "points", row.points);
+                    writePoints(object, "recorded", row.recorded);
+                });
+            });
+            return;
+        }
+        streams.out().println(TextFormat.plain(TextFormat.count(rows.size(), "recorded game") + ", " + name
+            + " in the place of " + as));
+        if (report == Verbosity.FULL) {
+            int width = rows.stream().mapToInt(row -> row.name.length()).max().orElse(0);
+            streams.out().println();
+            rows.forEach(row -> streams.out().println(TextFormat.plain(row.name + " ".repeat(width - row.name.length())
+                + "  " + row.text())));
+            streams.out().println();
+        }
+        List<Row> unchanged = of(rows, Rematch.Ending.UNCHANGED);
+        streams.out().println("unchanged  " + unchanged.size() + standing(unchanged, false)
+            + (standing(unchanged, true).isEmpty() ? "" : "; recorded" + standing(unchanged, true).substring(1)));
+        streams.out().println("departed   " + turns(of(rows, Rematch.Ending.DEPARTED)));
+        streams.out().println("failed     " + turns(of(rows, Rematch.Ending.FAILED)));
+        long without = rows.stream().filter(row -> row.outcome == null).count();
+        if (without > 0) {
+            streams.out().println("not played " + without);
+        }
+    }
+
+    private static void writePoints(JsonGenerator object, String name, Double points) {
+        if (points == null) {
+            object.writeNullProperty(name);
+        } else {
+            object.writeNumberProperty(name, points);
+        }
+    }
+
+    private static List<Row> of(List<Row> rows, Rematch.Ending ending) {
+        return rows.stream().filter(row -> row.is(ending)).toList();
+    }
+
+    private static String standing(List<Row> rows, boolean recorded) {
+        List<Double> points = rows.stream().map(row -> recorded ? row.recorded : row.points)
+            .filter(each -> each != null).toList();
+        List<String> counts = new ArrayList<>();
+        for (double each : new double[] {1, 0.5, 0}) {
+            counts.add(points.stream().filter(found -> found == each).count() + " " + Row.word(each));
+        }
+        return points.isEmpty() ? "" : ": " + String.join(", ", counts);
+    }
+
+    private static String turns(List<Row> rows) {
+        int[] turns = rows.stream().mapToInt(row -> row.outcome.turn()).sorted().toArray();
+        return turns.length == 0 ? "0" : turns.length + ", in turn " + turns[0] + (turns[0] == turns[turns.length - 1] ? ""
+            : " to " + turns[turns.length - 1] + ", half of them up to " + turns[(turns.length - 1) / 2]);
+    }
+}
