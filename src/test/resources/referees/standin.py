@@ -20,8 +20,8 @@ def hear():
 
 def ask(player, count, limit, *lines):
     hear()
-    say("VIEW", f"KEY_FRAME {turn}", "{}")
-    if mode in ("monitored", "struck") and turn == 0 and player == 0:
+    say("VIEW", f"KEY_FRAME {turn}", '{"ms": "%s"}' % "|".join(map(str, shown)) if mode == "shown" else "{}")
+    if mode in ("monitored", "struck", "shown") and turn == 0 and player == 0:
         say("MONITORING")
     if mode == "view":
         say("METADATA", str(time.time_ns()))
@@ -84,20 +84,22 @@ if mode == "scores":
     sys.exit()
 scores = [0] * players
 late = [0] * players
+shown = [0] * players
 for turn in range(10):
     for player in range(players):
-        if scores[player] < 0 and mode in ("thrown", "struck"):
+        if scores[player] < 0 and mode in ("thrown", "struck", "shown"):
             continue
-        if turn == 3 and player == 1 and mode not in ("good", "view", "chance", "thrown", "struck"):
+        if turn == 3 and player == 1 and mode not in ("good", "view", "chance", "thrown", "struck", "shown"):
             misbehave()
         if mode == "pairs":
             ask(player, 0, 1000, f"setup of {player}")
-        name, lines = ask(player, 1, 150 if mode == "struck" else 3000, seed, *properties, str(turn))
-        if mode in ("monitored", "struck") and name == "SET_PLAYER_OUTPUT":
+        name, lines = ask(player, 1, 150 if mode in ("struck", "shown") else 3000, seed, *properties, str(turn))
+        if mode in ("monitored", "struck", "shown") and name == "SET_PLAYER_OUTPUT":
             assert len(lines) == 2, lines
+            shown[player] = int(lines[0])
             late[player] += int(lines[0]) > 100
             lines = lines[1:]
-        if mode == "struck" and late[player] == 3:       # as the SDK from 4.7.2 on
+        if mode in ("struck", "shown") and late[player] == 3:       # as the SDK from 4.7.2 on
             scores[player] = -1
             continue
         if mode == "thrown" and turn == 3 and lines == ["2"]:

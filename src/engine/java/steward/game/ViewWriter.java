@@ -15,6 +15,8 @@ import steward.scene.Scene;
  */
 public interface ViewWriter {
 
+    /** Fault of a player of whom a recording has no answer. */
+    String NO_ANSWER = "no answer in the recording";
     /** One word that is not compared. */
     String ANY = "*";
     /** Words, or none, that are not compared, up to the end of the line. */
@@ -25,12 +27,19 @@ public interface ViewWriter {
     String NEAR = "\u0001";
 
     /**
-     * A frame that ends a turn.
+     * A frame. Of what is {@code null} it is not known what the server shows, and it is not compared.
      *
-     * @param view    its lines; line 0 is the number, and what the server says behind it
-     * @param summary its lines
+     * @param view        its lines; line 0 is the number, and what the server says behind it
+     * @param summary     its lines
+     * @param information lines for people about the answer of the frame
+     * @param tooltips    of the frame, a line for each, which begins with its player
      */
-    record Frame(List<String> view, List<String> summary) { }
+    record Frame(List<String> view, List<String> summary, List<String> information, List<String> tooltips) {
+
+        public Frame(List<String> view, List<String> summary) {
+            this(view, summary, null, null);
+        }
+    }
 
     /** Words for people where {@link #ANY} and {@link #REST} stand; each a plural. */
     List<String> notCompared();
@@ -48,19 +57,29 @@ public interface ViewWriter {
     /** Takes the game, before its first turn. */
     void begin(Game game);
 
-    /** Frame 0. */
+    /** True if texts are compared as they stand, and no word in them has a meaning of its own. */
+    default boolean isVerbatim() {
+        return false;
+    }
+
+    /** Number of frames of the turn just played, or of the start, where only the game tells it; otherwise 0. */
+    default int frames() {
+        return 0;
+    }
+
+    /** Last frame of the start. */
     Frame start();
 
     /** Keeps what the turn that is about to be played changes; its commands are read. */
     void before();
 
     /**
-     * The view of an answer that does not end the turn; asked for before {@link #after}.
+     * The frame of an answer that does not end the turn; asked for before {@link #after}.
      *
      * @param answer counted from 0 in each turn
      */
-    default List<String> answer(int answer) {
-        return List.of(ANY + " " + REST);
+    default Frame answer(int answer) {
+        return new Frame(List.of(ANY + " " + REST), null);
     }
 
     /**
@@ -86,6 +105,16 @@ public interface ViewWriter {
      * is not known what the server's says.
      */
     default double[] scores() {
+        return null;
+    }
+
+    /** Lines of what the server's referee says at the end that it was given; {@code null} if it is not compared. */
+    default List<String> input() {
+        return null;
+    }
+
+    /** Lines of values at the end for those who evaluate games; {@code null} if they are not compared. */
+    default List<String> metadata() {
         return null;
     }
 }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Deque;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import steward.bot.isolation.Isolation;
@@ -54,6 +55,7 @@ final class GuestGame extends AbstractGame {
     private final StringBuilder[] pending;
     private final Bodies bodies = new Bodies(1);
     private final double[] scores;
+    private final double[] toldScores;
     private final Expulsions expulsions;
     private RefereeProcess process;
     private boolean opened;
@@ -76,6 +78,7 @@ final class GuestGame extends AbstractGame {
         this.isolation = isolation;
         this.recorded = recorded;
         scores = new double[players];
+        toldScores = new double[players];
         expulsions = new Expulsions(players);
         pending = new StringBuilder[players];
         Arrays.setAll(pending, k -> new StringBuilder());
@@ -245,7 +248,8 @@ final class GuestGame extends AbstractGame {
             String[] words = line.trim().split("\\s+");
             int of = number(words[0]);
             if (words.length == 2 && of >= 0 && of < players() && words[1].matches("-?\\d{1,15}(\\.\\d{1,15})?")) {
-                scores[of] = program.tests().score(metadata, Double.parseDouble(words[1]));
+                toldScores[of] = Double.parseDouble(words[1]);
+                scores[of] = program.tests().score(metadata, toldScores[of]);
                 found |= 1 << of;
             }
         }
@@ -322,6 +326,16 @@ final class GuestGame extends AbstractGame {
     int asked() {
         open();
         return player;
+    }
+
+    /** Blocks that are not kept, since they differ when a game is played again. */
+    Set<Name> undetermined() {
+        return program.undetermined();
+    }
+
+    /** Scores as the referee has told them: of a game for one, not its criterion. */
+    double[] toldScores() {
+        return toldScores;
     }
 
     /** True if times of answers count in the game. */

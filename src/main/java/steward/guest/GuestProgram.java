@@ -52,7 +52,7 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
     static final String SOLO = "solo";
     /** Field of a scene with texts for people: what adopting chose, and why. */
     static final String ADOPTED = "adopted";
-    private static final int MOST_LEVEL = 20;
+    static final int MOST_LEVEL = 20;
     private static final int USUAL_LIMIT_MS = 30_000;
     private static final int MOST_LIMIT_MS = 3_600_000;
     static final Set<Name> FOR_PEOPLE = EnumSet.of(Name.VIEW, Name.INFOS, Name.SUMMARY, Name.TOOLTIP,
@@ -138,6 +138,11 @@ record GuestProgram(List<String> command, List<String> classPath, String main, S
     /** True if one process plays game after game. */
     boolean isResident() {
         return !classPath.isEmpty();
+    }
+
+    /** League level of a referee on a class path; 0 if none is named. */
+    int level() {
+        return Integer.parseInt(system.getOrDefault(LEVEL, "0"));
     }
 
     boolean isSolo() {

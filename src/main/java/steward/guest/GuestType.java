@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.Supplier;
 import steward.bot.isolation.Isolation;
 import steward.files.Digested;
@@ -12,12 +13,15 @@ import steward.game.GameJson;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.Pilot;
+import steward.game.ServerView;
 import steward.game.TextCodec;
+import steward.game.ViewWriter;
 import steward.match.GuestSetup;
 import steward.physics.Contacts;
 import steward.scene.Plan;
 import steward.scene.Scene;
 import steward.scene.SceneReader;
+import steward.text.TextFormat;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Game type of all guests, games whose referee is an external program. */
@@ -25,6 +29,8 @@ public final class GuestType implements GameType {
 
     /** Id of the game in scenes. */
     public static final String ID = "guest";
+
+    private static final int SHOWN = 60;
 
     private final boolean trusted;
 
@@ -52,6 +58,11 @@ public final class GuestType implements GameType {
     }
 
     @Override
+    public Optional<ViewWriter> viewWriter() {
+        return Optional.of(new GuestViews());
+    }
+
+    @Override
     public GameSetup open(Scene scene) {
         if (scene.players() == 0) {
             throw scene.root().error("players", "0", "1.." + MOST_PLAYERS + ", as many as its referee is for");
@@ -65,8 +76,10 @@ public final class GuestType implements GameType {
             throw scene.root().error("players", Integer.toString(scene.players()), "1: the criterion is of a game for "
                 + "one");
         }
+        int levels = scene.root().block(SceneReader.REFEREE).integer(GuestProgram.LEVELS, 1, GuestProgram.MOST_LEVEL,
+            1);
         scene.root().done();
-        return new Setup(scene, program, Plan.of(scene, new Contacts(1), 1, false, List.of()),
+        return new Setup(scene, program, levels, Plan.of(scene, new Contacts(1), 1, false, List.of()),
             new RefereeDigest(program), Isolation::usual);
     }
 
@@ -75,7 +88,7 @@ public final class GuestType implements GameType {
         ResidentReferees.shared().close();
     }
 
-    private record Setup(Scene scene, GuestProgram program, Plan plan, RefereeDigest files,
+    private record Setup(Scene scene, GuestProgram program, int levels, Plan plan, RefereeDigest files,
                          Supplier<Isolation> isolation) implements GuestSetup, Digested {
 
         @Override
@@ -85,7 +98,7 @@ public final class GuestType implements GameType {
 
         @Override
         public GameSetup isolatedBy(Supplier<Isolation> other) {
-            return new Setup(scene, program, plan, files, other);
+            return new Setup(scene, program, levels, plan, files, other);
         }
 
         @Override
@@ -97,6 +110,39 @@ public final class GuestType implements GameType {
         @Override
         public boolean isOnClassPath() {
             return program.isResident();
+        }
+
+        @Override
+        public int level() {
+            return program.level();
+        }
+
+        @Override
+        public ServerView.Start begin(List<String> input) {
+            List<String> lines = input.stream().map(String::strip).filter(line -> !line.isEmpty()).toList();
+            if (tests() > 0) {
+                return new ServerView.Start(scene.json(), program.tests().seed(lines));
+            }
+            Map<String, String> properties = new TreeMap<>(program.properties());
+            for (String line : lines) {
+                int at = line.indexOf('=');
+                if (at < 1) {
+                    throw new IllegalArgumentException("found \"" + TextFormat.beginning(line, SHOWN)
+                        + "\", expected lines KEY=VALUE");
+                }
+                properties.put(line.substring(0, at), line.substring(at + 1));
+            }
+            long seed;
+            try {
+                seed = Long.parseLong(properties.getOrDefault("seed", ""));
+            } catch (NumberFormatException noNumber) {
+                throw new IllegalArgumentException("found " + (properties.containsKey("seed") ? "the seed "
+                    + TextFormat.beginning(properties.get("seed"), SHOWN) : "no seed") + ", expected seed=N");
+            }
+            properties.remove("seed");
+            return new ServerView.Start(properties.equals(program.properties()) ? scene.json()
+                : scene.root().json(SceneReader.REFEREE, Map.of("properties",
+                    JsonMapper.shared().writeValueAsString(properties))), seed);
         }
 
         @Override

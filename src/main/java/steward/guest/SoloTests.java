@@ -42,6 +42,17 @@ record SoloTests(List<List<String>> tests, String criterion, boolean lowerIsBett
             : tests.get((int) Math.floorMod(seed - 1, (long) tests.size()));
     }
 
+    /** Seed that plays the test with these lines. @throws IllegalArgumentException if there is none */
+    long seed(List<String> lines) {
+        for (int test = 0; test < tests.size(); test++) {
+            if (tests.get(test).stream().map(String::strip).filter(line -> !line.isEmpty()).toList().equals(lines)) {
+                return test + 1;
+            }
+        }
+        throw new IllegalArgumentException("found " + (lines.isEmpty() ? "nothing" : "lines of no test of the scene")
+            + ", expected those of one of its " + tests.size() + " tests");
+    }
+
     /**
      * Returns the score of a game: the criterion's value, unless the referee says that the test was failed.
      *

@@ -5,6 +5,7 @@ import java.util.function.Supplier;
 import steward.bot.isolation.Isolation;
 import steward.game.Game;
 import steward.game.GameSetup;
+import steward.game.ServerView;
 
 /** Setup of a game whose referee is an external program. */
 public interface GuestSetup extends GameSetup {
@@ -19,6 +20,19 @@ public interface GuestSetup extends GameSetup {
     List<String> words();
 
     boolean isOnClassPath();
+
+    /** League level that its scene names; 0 if it names none. */
+    int level();
+
+    /** Number of league levels that its scene says there are, at least 1. */
+    int levels();
+
+    /**
+     * Scene and seed of a game whose referee was given these lines, whatever the scene itself gives it.
+     *
+     * @throws IllegalArgumentException if a game cannot begin so: says what was found and expected
+     */
+    ServerView.Start begin(List<String> input);
 
     /** Number of tests of a game for one: seed 1 plays the first, and after the last comes the first; 0 for none. */
     int tests();

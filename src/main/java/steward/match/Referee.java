@@ -110,7 +110,7 @@ public final class Referee {
         }
     }
 
-    /** One dialogue per protocol, shared by its players; players that need no lines have their own. */
+    /** One dialogue per protocol, shared by its players; some players have their own. */
     private Dialogue[] dialogues(List<Seat> seats, GameSetup setup) {
         Map<Protocol, Dialogue> spoken = new EnumMap<>(Protocol.class);
         Dialogue[] each = new Dialogue[seats.size()];

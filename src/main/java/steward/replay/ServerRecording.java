@@ -15,26 +15,31 @@ public final class ServerRecording {
     private End end;
 
     /**
-     * The texts of a frame that say how the game stands.
+     * The texts of a frame; {@code null} where there is none.
      *
-     * @param view    or {@code null}
-     * @param summary or {@code null}
+     * @param information for people about the answer of the frame
+     * @param tooltips    a line for each, which begins with its player
      */
-    public record Frame(String view, String summary) {
+    public record Frame(String view, String summary, String information, String tooltips) {
 
         private static final String VIEW = "view";
         private static final String SUMMARY = "summary";
+        private static final String INFORMATION = "information";
+        private static final String TOOLTIPS = "tooltips";
 
         static void writeAll(JsonGenerator out, String name, List<Frame> frames) {
             JsonObject.writeAll(out, name, frames, frame -> {
                 writeText(out, VIEW, frame.view);
                 writeText(out, SUMMARY, frame.summary);
+                writeText(out, INFORMATION, frame.information);
+                writeText(out, TOOLTIPS, frame.tooltips);
             });
         }
 
         static List<Frame> readAll(JsonLine line, String name) {
-            return !line.has(name) ? List.of() : line.objects(name).stream()
-                .map(frame -> new Frame(readText(frame, VIEW), readText(frame, SUMMARY))).toList();
+            return !line.has(name) ? List.of() : line.objects(name).stream().map(frame ->
+                new Frame(readText(frame, VIEW), readText(frame, SUMMARY), readText(frame, INFORMATION),
+                    readText(frame, TOOLTIPS))).toList();
         }
     }
 
@@ -45,8 +50,10 @@ public final class ServerRecording {
      * @param frames behind the end of the game by our rules
      * @param ranks  per player, with blanks between, 0 for the best; {@code null} if not recorded
      * @param scores likewise
+     * @param input  what the server's referee was given; {@code null} if not recorded or not compared
+     * @param data   values for those who evaluate games, likewise
      */
-    public record End(int turns, List<Frame> frames, String ranks, String scores) { }
+    public record End(int turns, List<Frame> frames, String ranks, String scores, String input, String data) { }
 
     /** Adds the frames of the next turn; first those of the start. */
     public void add(List<Frame> next) {
@@ -75,7 +82,7 @@ public final class ServerRecording {
         } else if (line.has(LineFields.SERVER)) {
             JsonLine of = new JsonLine(line.where() + ": " + LineFields.SERVER, line.object(LineFields.SERVER));
             end = new End(of.integer("turns"), Frame.readAll(of, "frames"), readText(of, "ranks"),
-                readText(of, "scores"));
+                readText(of, "scores"), readText(of, "input"), readText(of, "data"));
         }
     }
 
@@ -94,6 +101,8 @@ public final class ServerRecording {
             }
             writeText(out, "ranks", end.ranks);
             writeText(out, "scores", end.scores);
+            writeText(out, "input", end.input);
+            writeText(out, "data", end.data);
             out.writeEndObject();
         }
     }

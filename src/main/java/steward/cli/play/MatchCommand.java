@@ -70,8 +70,8 @@ public final class MatchCommand extends ProgramCommand {
 
     private static final int MOST_LEVEL = 20;
     private static final List<String> OF_OTHER_GAMES = List.of("--scene", "--accuracy", "--league-level", "--seed",
-        "--seed-file", "--games", "--swap", "--out", "--sign", "--overwrite", "--keep", "--why", "--hiccups", "--random",
-        "--into", "--view", "--open", "--watch");
+        "--seed-file", "--games", "--swap", "--out", "--sign", "--overwrite", "--keep", "--why", "--hiccups",
+        "--random", "--into", "--view", "--open", "--watch");
 
     @Spec
     private CommandSpec spec;
@@ -150,12 +150,12 @@ public final class MatchCommand extends ProgramCommand {
 
     @Override
     public Integer call() throws InterruptedException {
+        return recorded == null && as == null ? newGames() : recordedGames();
+    }
+
+    private int newGames() throws InterruptedException {
         check.exclusive("--json", json, "--quiet", quiet);
         double factor = pace.factor();
-        check.that((recorded == null) == (as == null), "--recorded and --as are for each other, expected both");
-        if (recorded != null) {
-            return recorded(factor);
-        }
         many.check(out != null, list.isGiven());
         list.check(seed.isGiven(), false);
         check.that(!overwrite || out != null || show.view() != null, "--overwrite: expected --out or --view with it");
@@ -218,7 +218,10 @@ public final class MatchCommand extends ProgramCommand {
         return SeriesPage.of(show.view(), show.open(), overwrite);
     }
 
-    private int recorded(double factor) throws InterruptedException {
+    private int recordedGames() throws InterruptedException {
+        check.exclusive("--json", json, "--quiet", quiet);
+        check.that(recorded != null && as != null, "--recorded and --as are for each other, expected both");
+        double factor = pace.factor();
         for (String name : OF_OTHER_GAMES) {
             check.that(!spec.commandLine().getParseResult().hasMatchedOption(name), "--recorded: found " + name
                 + " with it, expected none: games are played as they were recorded");

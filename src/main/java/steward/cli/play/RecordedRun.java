@@ -254,7 +254,8 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
 
     private static String turns(List<Row> rows) {
         int[] turns = rows.stream().mapToInt(row -> row.outcome.turn()).sorted().toArray();
-        return turns.length == 0 ? "0" : turns.length + ", in turn " + turns[0] + (turns[0] == turns[turns.length - 1] ? ""
+        return turns.length == 0 ? "0" : turns.length + ", in turn " + turns[0]
+            + (turns[0] == turns[turns.length - 1] ? ""
             : " to " + turns[turns.length - 1] + ", half of them up to " + turns[(turns.length - 1) / 2]);
     }
 }

@@ -43,16 +43,23 @@ import steward.text.Utf8Text.NotUtf8Exception;
         "is recognised by its first view. The file may be packed by gzip. For a game for",
         "one player, FILE can also be {\"stdin\":[..],\"stdout\":[..]}, the lines sent and",
         "answered. Each sent line is compared with ours.",
-        "", "--json: turns, ending (null if the recording ends before), replay.",
+        "", "A game with a published referee needs --scene, the scene that 'steward adopt'",
+        "made. FILE can also be what the SDK's own runner writes. The recorded answers are",
+        "played into the referee, and all that it says is compared at once. If anything",
+        "differs, the other league levels of the scene are tried, and named.",
+        "", "--json: turns, ending (null if the recording ends before), replay; with --scene",
+        "also equal, difference or null, note or null, notCompared, others.",
         "", "Examples:",
         "  steward import game.json --out game.jsonl",
         "  steward replay game.jsonl --verify",
+        "  steward import game.json --scene exotec.json --out game.jsonl",
         "  curl ... | steward import - --out - | steward replay - --verify",
-        "", "Exit status: 0 imported; 1 a line of the server differs; 2 wrong file or call:",
-        "the error names the frame and the line."})
+        "", "Exit status: 0 imported; 1 a line of the server differs, or a frame from the",
+        "referee of --scene; 2 wrong file or call: the error names the frame and the line."})
 public final class ImportCommand extends ProgramCommand {
 
     private static final String RECORDING = "a recording";
+    private static final int MOST_LEVEL = 20;
     private static final String BYTE_ORDER_MARK = "\uFEFF";
 
     @Spec
@@ -70,6 +77,14 @@ public final class ImportCommand extends ProgramCommand {
             + "2016. Other games have the rules of their highest league.")
     private RulesEdition rules;
 
+    @Option(names = "--scene", paramLabel = "FILE", description = "The scene of the game's referee, where that is an "
+        + "adopted one: the game is compared at once. Named again, others to try if a frame differs.")
+    private List<String> scenes = List.of();
+
+    @Option(names = "--league-level", paramLabel = "N", description = "With --scene: the league level at which it was "
+        + "played (default: the scene's).")
+    private Integer level;
+
     @Option(names = "--overwrite", description = "Replaces a replay that exists.")
     private boolean overwrite;
 
@@ -83,8 +98,21 @@ public final class ImportCommand extends ProgramCommand {
             throw new ParameterException(spec.commandLine(),
                 "--json is printed to the standard output, expected a file for --out");
         }
+        check.that(level == null || !scenes.isEmpty(), "--league-level: expected --scene with it");
+        check.that(level == null || level >= 1 && level <= MOST_LEVEL, "--league-level: found " + level
+            + ", expected 1 to " + MOST_LEVEL);
+        check.exclusive("--rules", rules != null, "--scene", !scenes.isEmpty());
         Path replay = piped ? null : OutputFiles.path(out);
-        RecordingImport recording = read(replay);
+        String source = StandardFiles.is(file) ? StandardFiles.INPUT : file;
+        String text = text(replay, source);
+        if (!scenes.isEmpty()) {
+            if (replay != null) {
+                OutputFiles.check(replay, overwrite);
+            }
+            return new GuestImport(streams, text, source, scenes, level).run(bytes -> write(bytes, replay),
+                piped ? null : json, out);
+        }
+        RecordingImport recording = read(text, source);
         RecordingImport.Imported imported;
         try (OutputStream stream = piped ? new UnclosedOutputStream(streams.out())
                 : OutputFiles.open(replay, overwrite)) {
@@ -119,17 +147,30 @@ public final class ImportCommand extends ProgramCommand {
         }
     }
 
-    private RecordingImport read(Path replay) {
-        boolean piped = StandardFiles.is(file);
-        String source = piped ? StandardFiles.INPUT : file;
-        byte[] bytes = unpacked(piped ? StandardFiles.readAll(streams, RecordingImport.MOST_BYTES, RECORDING)
-            : readFile(OutputFiles.path(file), replay), source);
+    /** @param replay or {@code null} for the standard output */
+    private void write(byte[] bytes, Path replay) {
+        try (OutputStream stream = replay == null ? new UnclosedOutputStream(streams.out())
+                : OutputFiles.open(replay, overwrite)) {
+            stream.write(bytes);
+        } catch (IOException problem) {
+            throw new FailedException(out + ": cannot be written: " + problem.getMessage());
+        }
+    }
+
+    private String text(Path replay, String source) {
+        byte[] bytes = unpacked(StandardFiles.is(file) ? StandardFiles.readAll(streams, RecordingImport.MOST_BYTES,
+            RECORDING) : readFile(OutputFiles.path(file), replay), source);
         try {
             String text = Utf8Text.decode(bytes, source, "CodinGame's JSON of a game");
-            return RecordingImport.of(text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text, source,
-                Games.types(), rules);
+            return text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text;
         } catch (NotUtf8Exception problem) {
             throw new InputException(problem.getMessage());
+        }
+    }
+
+    private RecordingImport read(String text, String source) {
+        try {
+            return RecordingImport.of(text, source, Games.types(), rules);
         } catch (IllegalArgumentException problem) {
             throw new InputException(problem.getMessage());
         }

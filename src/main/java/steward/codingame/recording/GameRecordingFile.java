@@ -41,6 +41,7 @@ final class GameRecordingFile {
         JsonNode root = parse(text, source);
         JsonNode result = root.has("success") ? root.get("success") : root;
         result = result.has("gameResult") ? result.get("gameResult") : result;
+        result = RunnerResult.is(result) ? RunnerResult.frames(result, source) : result;
         JsonNode frames = result.get("frames");
         if (frames == null || !frames.isArray() || frames.isEmpty()) {
             throw new IllegalArgumentException(source + ": found " + kind(result, frames) + ", " + EXPECTED);

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import steward.bot.Player;
 import steward.codingame.recording.RecordingImport.Imported;
+import steward.files.JarFolder;
 import steward.game.Game;
 import steward.game.GameJson;
 import steward.game.GameSetup;
@@ -30,16 +31,34 @@ final class ImportedMatch {
 
     private final GameSetup setup;
     private final long seed;
-    private final List<List<ServerRecording.Frame>> frames;
+    private final Frames frames;
     private final ServerRecording.End end;
     private final RecordingFacts facts;
     private final List<Player> players;
 
-    /**
-     * @param frames of the start, then of each turn
-     * @param end    what the server says of the whole game; without ranks it goes on
-     */
-    ImportedMatch(GameSetup setup, long seed, List<List<ServerRecording.Frame>> frames, ServerRecording.End end,
+    /** The frames of a recording, turn by turn; turn 0 is the start. */
+    interface Frames {
+
+        /** True if the recording has the answers of a turn. */
+        boolean has(int turn);
+
+        /** The frames of the turn just played; asked for once, in order. */
+        List<ServerRecording.Frame> of(int turn, Game game);
+
+        /** All frames behind those of a turn. */
+        List<ServerRecording.Frame> behind(int turn);
+    }
+
+    /** The recording has no more turns, but by our rules the game goes on. */
+    static final class RecordingEnds extends RuntimeException {
+
+        RecordingEnds() {
+            super("the recording ends", null, false, false);
+        }
+    }
+
+    /** @param end what the server says of the whole game; without ranks and scores it goes on */
+    ImportedMatch(GameSetup setup, long seed, Frames frames, ServerRecording.End end,
                   RecordingFacts facts, List<? extends Player> players) {
         this.setup = setup;
         this.seed = seed;
@@ -54,15 +73,16 @@ final class ImportedMatch {
         List<String> names = players.stream().map(Player::name).toList();
         ReplayHeader header = new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names,
             Collections.nCopies(names.size(), "recorded"), Collections.nCopies(names.size(), Protocol.CODINGAME),
-            Double.POSITIVE_INFINITY).ofLaw(setup.plan().lawVersion());
+            Double.POSITIVE_INFINITY).ofLaw(setup.plan().lawVersion()).ofJar(JarFolder.digestOf(setup));
         ServerRecording server = new ServerRecording();
-        frames.forEach(server::add);
         Recorder recorder = new Recorder(new ReplayWriter(out, header, server).untimed(), server);
         try {
-            MatchResult result = Referee.of(setup, seed, seats, TimeControl.UNLIMITED, recorder).play();
+            // A referee that asks for times is told them as those of its own limits.
+            MatchResult result = Referee.of(setup, seed, seats, setup.isGuest()
+                ? TimeControl.of(setup.scene().time(), 1) : TimeControl.UNLIMITED, recorder).play();
             return new Imported(recorder.turns, result.ending());
         } catch (RecordingEnds recordingEnds) {
-            if (end.ranks() != null) {        // by our rules it goes on: verification will say so
+            if (end.ranks() != null || end.scores() != null) { // by our rules it goes on: verification will say so
                 recorder.end(new MatchResult(recorder.turns, recordingEnds.getMessage(), IntStream.range(0,
                     names.size()).mapToObj(player -> new MatchResult.PlayerResult(names.get(player), 0, 0, null, null,
                         0, 0, 0, 0, 0)).toList()));
@@ -71,19 +91,12 @@ final class ImportedMatch {
         }
     }
 
-    /** The recording has no more turns, but by our rules the game goes on. */
-    private static final class RecordingEnds extends RuntimeException {
-
-        RecordingEnds() {
-            super("the recording ends", null, false, false);
-        }
-    }
-
     /** Passes a match on to a writer as far as it was recorded. */
     private final class Recorder implements MatchListener {
 
         private final ReplayWriter writer;
         private final ServerRecording server;
+        private Game game;
         private int turns;
 
         Recorder(ReplayWriter writer, ServerRecording server) {
@@ -92,13 +105,15 @@ final class ImportedMatch {
         }
 
         @Override
-        public void start(Game game, GameJson codec) {
+        public void start(Game started, GameJson codec) {
+            game = started;
+            server.add(frames.of(0, game));
             writer.start(game, codec);
         }
 
         @Override
         public void commands(Turn turn) {
-            if (turn.number() >= frames.size()) {
+            if (!frames.has(turn.number())) {
                 throw new RecordingEnds();
             }
             writer.commands(turn);
@@ -106,8 +121,9 @@ final class ImportedMatch {
 
         @Override
         public void played(Turn turn) {
-            writer.played(turn);
             turns++;
+            server.add(frames.of(turns, game));
+            writer.played(turn);
         }
 
         /** Adds what the site tells of game and players, and what the server has shown behind the end by our rules. */
@@ -118,9 +134,8 @@ final class ImportedMatch {
                 told.add(new MatchResult.PlayerResult(of.name(), of.rank(), of.score(), of.fault(), of.out(),
                     of.answers(), 0, 0, 0, of.earlyTurns(), facts.players().get(told.size())));
             }
-            List<ServerRecording.Frame> behind = frames.subList(turns + 1, frames.size()).stream()
-                .flatMap(List::stream).toList();
-            server.end(new ServerRecording.End(Math.max(end.turns(), turns), behind, end.ranks(), end.scores()));
+            server.end(new ServerRecording.End(Math.max(end.turns(), turns), frames.behind(turns), end.ranks(),
+                end.scores(), end.input(), end.data()));
             writer.end(new MatchResult(result.turns(), result.ending(), told, facts.data()));
         }
     }

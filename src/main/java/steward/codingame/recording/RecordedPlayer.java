@@ -5,6 +5,7 @@ import java.util.List;
 import steward.bot.Answer;
 import steward.bot.Player;
 import steward.game.ServerView;
+import steward.game.ViewWriter;
 
 /** Player that gives the recorded answers of a player, in CodinGame's protocol. */
 final class RecordedPlayer implements Player {
@@ -35,7 +36,7 @@ final class RecordedPlayer implements Player {
         List<String> said = turn < turns.size() ? turns.get(turn) : List.of();
         turn++;
         if (said != null && said.size() < answerLines) {
-            answer.setFault(said.isEmpty() ? "no answer in the recording"
+            answer.setFault(said.isEmpty() ? ViewWriter.NO_ANSWER
                 : "answered " + said.size() + " of " + answerLines + " lines in the recording");
             return Ending.FAULT;
         }

@@ -9,8 +9,8 @@ import tools.jackson.databind.JsonNode;
 /**
  * Facts about a game in the site's JSON besides its frames: names and numbers of the players, number of the game.
  *
- * @param names   per player who it was: {@code agents[].codingamer.pseudo}, of a boss its nickname; {@code player N}
- *                where that is not recorded
+ * @param names   per player who it was: {@code agents[].codingamer.pseudo}, of a boss its nickname, of a
+ *                game of the SDK's runner its name; {@code player N} where that is not recorded
  * @param data    of the game: its number; empty if not recorded
  * @param players per player: the number of the agent, and the league, as far as recorded
  */
@@ -29,7 +29,8 @@ record RecordingFacts(List<String> names, Map<String, String> data, List<Map<Str
             int player = agent.path("index").asInt(-1);
             if (player >= 0 && player < players) {
                 String pseudo = agent.path("codingamer").path("pseudo").asString("");
-                String name = pseudo.isBlank() ? agent.path("arenaboss").path("nickname").asString("") : pseudo;
+                String boss = agent.path("arenaboss").path("nickname").asString(agent.path("name").asString(""));
+                String name = pseudo.isBlank() ? boss : pseudo;
                 if (!name.isBlank()) {
                     names.set(player, name.substring(0, Math.min(LONGEST_NAME, name.length())));
                 }

@@ -3,6 +3,7 @@ package steward.codingame.recording;
 import java.io.OutputStream;
 import steward.game.GameTypes;
 import steward.game.podrace.RulesEdition;
+import steward.match.GuestSetup;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -19,8 +20,14 @@ public interface RecordingImport {
      *
      * @param turns  how many turns the replay has
      * @param ending how the game ended by our rules, or {@code null} if the recording ends before
+     * @param note   on what the recording has and a replay cannot have, or {@code null}
      */
-    record Imported(int turns, String ending) { }
+    record Imported(int turns, String ending, String note) {
+
+        Imported(int turns, String ending) {
+            this(turns, ending, null);
+        }
+    }
 
     /**
      * Writes the replay.
@@ -62,5 +69,14 @@ public interface RecordingImport {
                 + "named");
         }
         return LineRecordingImport.of(read, source, types);
+    }
+
+    /**
+     * Reads a recording of a game whose referee a scene names.
+     *
+     * @throws IllegalArgumentException if no game of the scene can be played so; says where
+     */
+    static RecordingImport ofGuest(String json, String source, GameTypes types, GuestSetup scene) {
+        return GuestGameImport.of(GameRecordingFile.gameResult(json, source), source, types, scene);
     }
 }

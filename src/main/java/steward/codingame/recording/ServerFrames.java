@@ -2,12 +2,16 @@ package steward.codingame.recording;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
 import steward.replay.ServerRecording;
 import steward.text.TextFormat;
 import steward.text.ViewLines;
+import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 /**
  * Reader of the frames in CodinGame's JSON, which all games share. Frame 0 is the start; from then on, each frame is
@@ -24,6 +28,8 @@ final class ServerFrames {
     private final String source;
     private final JsonNode result;
     private final JsonNode frames;
+    /** Tooltips of each frame, a line for each; {@code null} if they are not recorded. */
+    private final Map<Integer, String> tooltips;
 
     /**
      * One turn.
@@ -43,6 +49,29 @@ final class ServerFrames {
         this.source = source;
         this.result = result;
         frames = result.get("frames");
+        tooltips = result.path("tooltips").isArray() ? tooltips(result.get("tooltips")) : null;
+    }
+
+    /** Reads tooltips, each an object or the text of one, in which the turn is the number of a frame. */
+    private static Map<Integer, String> tooltips(JsonNode all) {
+        Map<Integer, String> tooltips = new HashMap<>();
+        for (JsonNode each : all) {
+            JsonNode tooltip = each;
+            try {
+                tooltip = each.isString() ? JsonMapper.shared().readTree(each.stringValue()) : each;
+            } catch (JacksonException textual) {
+                // No tooltip then: the text has no turn.
+            }
+            if (tooltip.path("turn").isInt()) {
+                tooltips.merge(tooltip.get("turn").intValue(), tooltip.path("event").asString("") + " "
+                    + tooltip.path("text").asString(""), (before, more) -> before + "\n" + more);
+            }
+        }
+        return tooltips;
+    }
+
+    int size() {
+        return frames.size();
     }
 
     /** The view of frame 0. */
@@ -67,7 +96,8 @@ final class ServerFrames {
     /** The texts of a frame; anything but a text counts as none. */
     ServerRecording.Frame shown(int frame) {
         return new ServerRecording.Frame(frame(frame).path("view").asString(null),
-            frame(frame).path("summary").asString(null));
+            frame(frame).path("summary").asString(null), frame(frame).path("gameInformation").asString(null),
+            tooltips == null ? null : tooltips.getOrDefault(frame, ""));
     }
 
     RecordingFacts facts(int players) {
@@ -184,7 +214,7 @@ final class ServerFrames {
     }
 
     /** The player of a frame, or -1 for the referee. @param silent where the frame does not say it */
-    private int agent(int frame, int silent) {
+    int agent(int frame, int silent) {
         JsonNode agent = frame(frame).get("agentId");
         if (agent == null || agent.isNull()) {
             return silent;
@@ -197,7 +227,7 @@ final class ServerFrames {
     }
 
     /** @param silent where the frame does not say it */
-    private boolean endsTurn(int frame, boolean silent) {
+    boolean endsTurn(int frame, boolean silent) {
         JsonNode key = frame(frame).get("keyframe");
         if (key != null && !key.isBoolean()) {
             throw wrong(frame, "keyframe", key.toString(), "true or false");
@@ -217,7 +247,7 @@ final class ServerFrames {
         return view;
     }
 
-    private String text(int frame, String name) {
+    String text(int frame, String name) {
         JsonNode text = frame(frame).get(name);
         if (text == null || text.isNull()) {
             return null;

@@ -7,6 +7,7 @@ import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.GameTypes;
@@ -19,7 +20,7 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
 
 /** Importer of CodinGame's own JSON into a replay, for any game that tells how its views are read. */
-final class ServerGameImport implements RecordingImport {
+final class ServerGameImport implements RecordingImport, ImportedMatch.Frames {
 
     private static final String WITH_RULES = "pod-race";
 
@@ -29,7 +30,8 @@ final class ServerGameImport implements RecordingImport {
     private final GameSetup setup;
     private final ServerRecording.End end;
     private final RecordingFacts facts;
-    private final List<ServerRecording.Frame> first;
+    /** Frames of the start and of each turn. */
+    private final List<List<ServerRecording.Frame>> shown = new ArrayList<>();
 
     private ServerGameImport(ServerFrames frames, GameType type, String source, GameTypes types, RulesEdition rules) {
         frames.requireStart();
@@ -54,9 +56,10 @@ final class ServerGameImport implements RecordingImport {
             played--;
         }
         end = new ServerRecording.End(played, List.of(), words(IntStream.of(ranks).mapToObj(Integer::toString)),
-            words(DoubleStream.of(scores).mapToObj(Double::toString)));
+            words(DoubleStream.of(scores).mapToObj(Double::toString)), null, null);
         facts = frames.facts(players);
-        first = List.of(frames.shown(0));
+        shown.add(List.of(frames.shown(0)));
+        turns.forEach(turn -> shown.add(turn.frames()));
     }
 
     private static String words(Stream<String> numbers) {
@@ -100,8 +103,21 @@ final class ServerGameImport implements RecordingImport {
             }
             players.add(new RecordedPlayer(facts.names().get(player), said, view));
         }
-        List<List<ServerRecording.Frame>> frames = new ArrayList<>(List.of(first));
-        turns.forEach(turn -> frames.add(turn.frames()));
-        return new ImportedMatch(setup, seed, frames, end, facts, players).write(out);
+        return new ImportedMatch(setup, seed, this, end, facts, players).write(out);
+    }
+
+    @Override
+    public boolean has(int turn) {
+        return turn < shown.size();
+    }
+
+    @Override
+    public List<ServerRecording.Frame> of(int turn, Game game) {
+        return shown.get(turn);
+    }
+
+    @Override
+    public List<ServerRecording.Frame> behind(int turn) {
+        return shown.subList(turn + 1, shown.size()).stream().flatMap(List::stream).toList();
     }
 }

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.function.UnaryOperator;
 import steward.bot.Answer;
 import steward.bot.LineBuffer;
-import steward.bot.Player;
 import steward.game.Game;
 import steward.game.GameJson;
 import steward.game.GameSetup;
@@ -25,9 +24,9 @@ import steward.replay.verify.Resimulation;
 import tools.jackson.core.JsonParser;
 
 /**
- * A recorded match played again with a bot in the seat of one player. The others answer as recorded, as long as they are
- * sent what they were sent: at the first other line nobody knows what they would have answered, and the match is broken
- * off. The recorded match is played beside it, since its lines follow from it.
+ * A recorded match played again with a bot in the seat of one player. The others answer as recorded, as long as they
+ * are sent what they were sent. At the first other line nobody knows what they would have answered, and the match is
+ * broken off. The recorded match is played beside it, since its lines follow from it.
  */
 public final class Rematch {
 

@@ -22,6 +22,10 @@ final class ViewComparison {
     /** Greatest relative distance of a number from ours that need only be near. */
     private static final double NEAR = 1e-9;
 
+    /** Characters of a line that are shown before the first that differs. */
+    private static final int BEFORE = 40;
+    /** Number or word of a text of which nothing else is known. */
+    private static final Pattern VALUE = Pattern.compile("[^\\s,:;{}\\[\\]\"]+");
     private static final Pattern NUMBER = Pattern.compile("[-+]?[0-9]+(\\.[0-9]+)?([eE][-+]?[0-9]+)?");
 
     private final ViewWriter writer;
@@ -81,7 +85,8 @@ final class ViewComparison {
     void start(List<ServerRecording.Frame> frames) {
         if (!frames.isEmpty()) {
             ViewWriter.Frame start = writer.start();
-            compare(0, frames.get(0), start);
+            beforeLast(0, frames);
+            compare(0, frames.get(frames.size() - 1), start, true);
         }
     }
 
@@ -91,16 +96,26 @@ final class ViewComparison {
             behind += frames.size();
             return;
         }
+        beforeLast(turn.number(), frames);
         int last = frames.size() - 1;
-        for (int k = 0; k < last; k++) {
-            behind += difference == null ? 0 : 1;
-            compare(turn.number(), "view", lines(frames.get(k).view()), writer.answer(k), false);
-        }
         behind += difference == null || last < 0 ? 0 : 1;
         if (last >= 0) {
             List<String> view = lines(frames.get(last).view());
-            compare(turn.number(), frames.get(last), writer.after(turn.messages(), view == null ? List.of() : view));
+            compare(turn.number(), frames.get(last),
+                writer.after(turn.messages(), view == null ? List.of() : view), true);
             turns += difference == null && view != null && view.size() > 1 ? 1 : 0;
+        }
+    }
+
+    /** Compares the frames of a turn but for its last one, and how many there are. */
+    private void beforeLast(int turn, List<ServerRecording.Frame> frames) {
+        for (int k = 0; k < frames.size() - 1; k++) {
+            behind += difference == null ? 0 : 1;
+            compare(turn, frames.get(k), writer.answer(k), false);
+        }
+        int ours = writer.frames();
+        if (ours > 0 && ours != frames.size() && difference == null) {
+            difference = new ReplayDifference(turn, "frames", Integer.toString(frames.size()), Integer.toString(ours));
         }
     }
 
@@ -115,6 +130,8 @@ final class ViewComparison {
         compareGiven("ranks", end.ranks(), ranks);
         compareGiven("scores", scores.length == 0 ? null : end.scores(), DoubleStream.of(scores)
             .mapToObj(Double::toString).collect(Collectors.joining(" ")));
+        compareText(game.turn(), "input", end.input(), writer.input());
+        compareText(game.turn(), "metadata", end.data(), writer.metadata());
         for (ServerRecording.Frame frame : end.frames()) {
             behind += difference == null ? 0 : 1;
             List<String> declared = writer.declared();
@@ -133,9 +150,24 @@ final class ViewComparison {
         }
     }
 
-    private void compare(int turn, ServerRecording.Frame recorded, ViewWriter.Frame found) {
-        compare(turn, "view", lines(recorded.view()), found.view(), true);
-        compare(turn, "summary", recorded.summary() == null ? null : split(recorded.summary()), found.summary(), false);
+    private void compare(int turn, ServerRecording.Frame recorded, ViewWriter.Frame found, boolean mayEnd) {
+        if (found.view() != null) {
+            compare(turn, "view", lines(recorded.view()), found.view(), mayEnd);
+        }
+        compareText(turn, "summary", recorded.summary(), found.summary());
+        if (recorded.information() != null) {
+            compareText(turn, "gameInformation", recorded.information(), found.information());
+        }
+        if (recorded.tooltips() != null) {
+            compareText(turn, "tooltips", recorded.tooltips(), found.tooltips());
+        }
+    }
+
+    /** Compares a text unless its lines are not known. */
+    private void compareText(int turn, String name, String recorded, List<String> found) {
+        if (found != null) {
+            compare(turn, name, recorded == null ? null : split(recorded), found, false);
+        }
     }
 
     /** The lines of a view; none if it is blank, {@code null} without one. */
@@ -161,7 +193,7 @@ final class ViewComparison {
         any = true;
         for (int line = 0; line < Math.max(recorded.size(), found.size()) && difference == null; line++) {
             boolean ends = line >= recorded.size() && mayEnd && writer.mayEndAt(line);
-            boolean rest = line >= found.size() - 1 && !found.isEmpty()
+            boolean rest = line >= found.size() - 1 && !found.isEmpty() && !writer.isVerbatim()
                 && found.get(found.size() - 1).equals(ViewWriter.REST);
             if (ends || rest) {
                 cut += ends && !rest ? 1 : 0;
@@ -178,6 +210,10 @@ final class ViewComparison {
         if (recorded == null || found == null) {
             difference = new ReplayDifference(turn, where, recorded == null ? "nothing" : recorded,
                 found == null ? "nothing" : lines.ours(), lines);
+            return;
+        }
+        if (writer.isVerbatim()) {
+            compareVerbatim(turn, where, recorded, found);
             return;
         }
         List<String> theirs = words(recorded);
@@ -204,6 +240,22 @@ final class ViewComparison {
                 return;
             }
         }
+    }
+
+    private void compareVerbatim(int turn, String where, String recorded, String found) {
+        int at = IntStream.range(0, Math.max(recorded.length(), found.length())).filter(k -> k >= recorded.length()
+            || k >= found.length() || recorded.charAt(k) != found.charAt(k)).findFirst().orElse(-1);
+        if (at < 0) {
+            values += Math.max(1, VALUE.matcher(found).results().count());
+        } else {
+            int from = Math.max(0, at - BEFORE);
+            difference = new ReplayDifference(turn, where + ", character " + at, rest(recorded, at), rest(found, at),
+                new ReplayDifference.Lines(rest(recorded, from), rest(found, from)));
+        }
+    }
+
+    private static String rest(String line, int from) {
+        return from >= line.length() ? "the end" : line.substring(from);
     }
 
     private static List<String> words(String line) {

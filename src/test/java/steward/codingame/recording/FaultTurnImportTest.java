@@ -82,6 +82,13 @@ class FaultTurnImportTest {
         assertNull(difference(game.gameResult()));
     }
 
+    /** Word behind the number, and messages of the player who fails: public battles of 2026 show none. */
+    @Test
+    void aWordOrAMessageThatBattlesDoNotShowIsFound() {
+        assertEquals("view line 0, word 1", changed(0, 1, " 9 endReached").field());
+        assertEquals("view line 6, word 0", changed(6, 0, "\"bye\"").field());
+    }
+
     @Test
     void impulsePlaceAndMissingImpactsAreFound() {
         for (ReplayDifference found : new ReplayDifference[] {changed(FIRST_IMPACT, IMPULSE, "1234.5"),

@@ -20,14 +20,19 @@ final class SiteViews {
     private final ViewWriter writer = TestScenes.TYPES.viewWriter("pod-race").orElseThrow();
     private final PodRace race;
     private List<String> summary;
+    private final boolean[] failed;
 
     SiteViews(PodRace race) {
         this.race = race;
+        failed = new boolean[race.players()];
         writer.begin(race);
     }
 
     /** To be called when the commands of a turn are read. */
     void before() {
+        for (int player = 0; player < failed.length; player++) {
+            failed[player] = !race.isIn(player);
+        }
         writer.before();
     }
 
@@ -47,11 +52,10 @@ final class SiteViews {
         summary = ours.summary().stream().map(line -> line.equals(ViewWriter.REST) ? "End reached" : line).toList();
         int pastCounters = 2 + 2 * race.settings().pods();
         List<String> lines = new ArrayList<>(ours.view().subList(0, pastCounters));
-        lines.set(0, lines.get(0).replaceFirst("^\\*", " " + frame).replace("**", "").stripTrailing());
+        lines.set(0, lines.get(0).replaceFirst("^\\*", " " + frame).stripTrailing());
         replace(lines, 1, pods);
         for (int pod = 0; pod < race.settings().pods(); pod++) {
-            boolean failed = lines.get(2 + 2 * pod).equals(ViewWriter.REST);
-            lines.set(2 + 2 * pod, "\"" + (failed ? "" : message) + "\"");
+            lines.set(2 + 2 * pod, "\"" + (failed[race.playerOf(pod)] ? "" : message) + "\"");
         }
         return String.join("\n", lines) + "\n";
     }

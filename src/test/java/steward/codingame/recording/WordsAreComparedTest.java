@@ -68,7 +68,7 @@ class WordsAreComparedTest {
         ObjectNode game = upTo(GroundTruth.replay("game_870230020_excerpt.json"), 2);
         String map = game.get("frames").get(0).get("view").asString().split("\n")[3];
         check(report, "pod-race", game.put("refereeInput", "seed=1\nmap=" + map + "\n"));
-        assertMissed(Set.of("gameInformation", "view line 10, word 0"), "and the number of an impact");
+        assertMissed(Set.of("view line 10, word 0"), "and the number of an impact");
     }
 
     @Test

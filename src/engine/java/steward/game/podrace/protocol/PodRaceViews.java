@@ -25,10 +25,11 @@ import steward.physics.Impact;
  * then        rank:turnsLeft rank:turnsLeft                          both players on one line
  * per impact  id time podA xA yA podB xB yB impulse vx vy
  * </pre>
- * Places of impacts are rounded; their vx, vy are half the sum of both speeds before the impact, rounded. A view may
- * end before its pods or before its counters. Sources: games of 2025 and 2026, among them ten that ended by a fault, a
- * finish or an elimination. If they do not show something, the published referee decides: a pod that was told to aim at
- * its own place shows the thrust that it was given.
+ * Places of impacts are rounded; their vx, vy are half the sum of both speeds before the impact, rounded. A player who
+ * fails has empty messages, and if it was late, its frame has a tooltip. A view may end before its pods or before its
+ * counters. Sources: games of 2025 and 2026, among them ten that ended by a fault, a finish or an elimination. If they
+ * do not show something, the published referee decides: a pod that was told to aim at its own place shows the thrust
+ * that it was given.
  */
 final class PodRaceViews implements ViewWriter {
 
@@ -44,14 +45,13 @@ final class PodRaceViews implements ViewWriter {
     private int[] thrust;
     private boolean[] shield;
     private boolean[] boostLeft;
-    private boolean anyFailed;
     private boolean started;
     private boolean[] failed;
 
     @Override
     public List<String> notCompared() {
-        return List.of("gameInformation, tooltips, texts in colour", "numbers of impacts",
-            "messages of a player who fails, and the word behind the number of that frame");
+        return List.of("gameInformation of a player who fails, tooltips but those of timeouts, texts in colour",
+            "numbers of impacts");
     }
 
     @Override
@@ -98,10 +98,8 @@ final class PodRaceViews implements ViewWriter {
     @Override
     public void before() {
         started = true;
-        anyFailed = false;
         for (int player = 0; player < failed.length; player++) {
             failed[player] = !race.isIn(player);
-            anyFailed |= failed[player];
         }
         for (int pod = 0; pod < thrust.length; pod++) {
             thrust[pod] = race.thrust(pod);
@@ -115,7 +113,7 @@ final class PodRaceViews implements ViewWriter {
         boolean finished = IntStream.range(0, thrust.length).anyMatch(this::hasFinished);
         boolean ends = race.isOver() && (finished || race.turn() >= race.settings().maximumTurns());
         List<String> view = new ArrayList<>();
-        view.add(ANY + " " + (anyFailed ? REST : finished ? "endReached" : ends ? "maxRoundsCountReached" : ""));
+        view.add(ANY + " " + (finished ? "endReached" : ends ? "maxRoundsCountReached" : ""));
         int[] ranks = podRanks();
         ShownMessages said = null;
         for (int pod = 0; pod < thrust.length; pod++) {
@@ -132,7 +130,7 @@ final class PodRaceViews implements ViewWriter {
             String text = line < shown.size() ? shown.get(line).strip().replaceAll("^\"|\"$", "") : "";
             boolean last = pod == thrust.length - 1 || race.playerOf(pod + 1) != player;
             String blanks = text.substring(text.stripTrailing().length());
-            view.add(failed[player] ? REST : "\"" + said.next(text, last) + blanks + "\"");
+            view.add(failed[player] ? "\"\"" : "\"" + said.next(text, last) + blanks + "\"");
         }
         view.add(counters(ranks));
         for (int k = 0; k < race.log().kept(); k++) {
@@ -142,7 +140,40 @@ final class PodRaceViews implements ViewWriter {
         if (ends) {
             summary.add(REST);
         }
-        return new Frame(view, summary);
+        return new Frame(view, summary, information(race.players() - 1), tooltips(race.players() - 1));
+    }
+
+    @Override
+    public Frame answer(int answer) {
+        return new Frame(List.of(ANY + " " + REST), null, information(answer), tooltips(answer));
+    }
+
+    /** What the pods of a player do, for people; {@code null} for one who fails. A second boost has usual power. */
+    private List<String> information(int player) {
+        if (player >= failed.length || failed[player]) {
+            return null;
+        }
+        int each = race.settings().podsPerPlayer();
+        return IntStream.range(0, each).mapToObj(k -> "Pod " + (k + 1) + " of player $" + player + " "
+            + does(player * each + k)).toList();
+    }
+
+    private String does(int pod) {
+        String towards = " towards (" + whole(race.targetX(pod)) + ", " + whole(race.targetY(pod)) + ")";
+        return thrust[pod] == PodRace.SHIELD ? "enabled its shield"
+            : race.shieldTimer(pod) != 0 ? "waits for its engine to reload"
+            : thrust[pod] == PodRace.BOOST && boostLeft[pod] ? "boosts" + towards
+            : "moves" + towards + " at power " + power(pod);
+    }
+
+    private static String whole(double coordinate) {
+        return coordinate == Math.rint(coordinate) ? Long.toString((long) coordinate) : Double.toString(coordinate);
+    }
+
+    /** Tooltips of the frame of a player; {@code null} but for one whose answer was missing. */
+    private List<String> tooltips(int player) {
+        return player < failed.length && failed[player] && NO_ANSWER.equals(race.eliminationReason(player))
+            ? List.of(player + " $" + player + ": timeout!") : null;
     }
 
     private String place(int pod) {

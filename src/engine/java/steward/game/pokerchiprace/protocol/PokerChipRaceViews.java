@@ -130,8 +130,8 @@ final class PokerChipRaceViews implements ViewWriter {
     }
 
     @Override
-    public List<String> answer(int answer) {
-        return answer < answers.size() ? answers.get(answer) : List.of();
+    public Frame answer(int answer) {
+        return new Frame(answer < answers.size() ? answers.get(answer) : List.of(), null);
     }
 
     /** Called when all pushes are made: only chips that have ejected another were pushed, and look where they go. */

@@ -1,0 +1,92 @@
+package steward.codingame.recording;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+
+import java.io.ByteArrayOutputStream;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import steward.match.TestScenes;
+import steward.bot.Bot;
+import steward.replay.verify.ReplayDifference;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.node.ObjectNode;
+
+/** Words of the site for people, in forms that public battles of 2026 show. */
+class InformationImportTest {
+
+    private static final int FAILS = 33;
+
+    /** Boosts twice, raises its shield and goes on. */
+    private static final class Scripted implements Bot {
+
+        private static final List<String> COMMANDS = List.of("\"boost\":true", "\"boost\":true", "\"shield\":true",
+            "\"thrust\":70", "\"thrust\":70", "\"thrust\":70", "\"thrust\":70");
+
+        private int turn;
+
+        @Override
+        public void setup(String line) {
+            turn = 0;
+        }
+
+        @Override
+        public String turn(String line) {
+            String pod = "{\"x\":8000,\"y\":4500," + COMMANDS.get(Math.min(turn++, COMMANDS.size() - 1)) + "}";
+            return "{\"pods\":[" + pod + "," + pod + "]}";
+        }
+    }
+
+    private static final List<String> TOLD = List.of("boosts towards (8000, 4500)",
+        "moves towards (8000, 4500) at power 200", "enabled its shield", "waits for its engine to reload",
+        "waits for its engine to reload", "waits for its engine to reload", "moves towards (8000, 4500) at power 70");
+
+    private static ReplayDifference difference(String json) {
+        ByteArrayOutputStream replay = new ByteArrayOutputStream();
+        try {
+            RecordingImport.of(json, "game.json", TestScenes.TYPES).write(replay);
+        } catch (InterruptedException nobodyDoes) {
+            throw new AssertionError(nobodyDoes);
+        }
+        return TextMatches.verify(replay.toByteArray()).difference();
+    }
+
+    private static ObjectNode told() {
+        ObjectNode game = OfficialGame.play(TestScenes.open("mad-pod-racing"), 3, new Scripted(), new Scripted())
+            .gameResult();
+        for (int turn = 1; turn <= TOLD.size(); turn++) {
+            for (int player = 0; player < 2; player++) {
+                String pod = " of player $" + player + " " + TOLD.get(turn - 1) + "\n";
+                ((ObjectNode) game.get("frames").get(2 * turn - 1 + player)).put("gameInformation",
+                    "Pod 1" + pod + "Pod 2" + pod);
+            }
+        }
+        return game;
+    }
+
+    @Test
+    void theFourFormsOfWhatAPodDoesAreCompared() {
+        assertNull(difference(told().toString()));
+        for (int turn = 1; turn <= TOLD.size(); turn++) {
+            ObjectNode game = told();
+            ObjectNode frame = (ObjectNode) game.get("frames").get(2 * turn);
+            frame.put("gameInformation", frame.get("gameInformation").stringValue().replace("Pod 2 of player $1 ",
+                "Pod 2 of player $1 never "));
+            ReplayDifference found = difference(game.toString());
+            assertEquals(turn + " gameInformation line 1, word 5", found.turn() + " " + found.field());
+        }
+    }
+
+    @Test
+    void theTooltipOfATimeoutIsThatOfThePlayersFrame() {
+        OfficialGame game = OfficialGame.play(3);
+        for (int frame : new int[] {2 * FAILS, 2 * FAILS - 1}) {
+            ObjectNode sketch = (ObjectNode) JsonMapper.shared().readTree(game.sketch(FAILS));
+            sketch.putArray("tooltips").add("{\"turn\":" + frame
+                + ",\"text\":\"$1: timeout!\",\"event\":1}");
+            ReplayDifference found = difference(sketch.toString());
+            assertEquals(frame == 2 * FAILS ? "null" : FAILS + " tooltips line 0", found == null ? "null"
+                : found.turn() + " " + found.field());
+        }
+    }
+}
