@@ -167,7 +167,7 @@ class ReplayCommandTest {
     @Test
     void whatVerificationProvesIsSaidInItsHelp() {
         String help = Cli.run("replay", "--help").out();
-        assertTrue(help.contains("Who gave the commands it does"), help);
+        assertTrue(help.contains("does not prove who gave the commands"), help);
         assertTrue(help.contains("only as good as the\nsignature"), help);
     }
 
