@@ -23,8 +23,8 @@ class GuestProgramTest {
         "main", "reuse", "mode", "leagueLevels", "leagueLevel", "adopted", "limitMs", "testIn", "tests", \
         "criterion", "lowerIsBetter", "undetermined", "properties"; did you mean "limitMs"?
         {"command": ["a"], "limit": 7} | 2:32: referee.limit: found an unknown field, expected one of "command", \
-        "adopted", "limitMs", "testIn", "tests", "criterion", "lowerIsBetter", "undetermined", "properties"; did you \
-        mean "limitMs"?
+        "adopted", "limitMs", "testIn", "tests", "criterion", "lowerIsBetter", "undetermined", "properties", \
+        "leagueLevels"; did you mean "limitMs"?
         {"classPath": ["a"], "mode": "solo"} | 1:43: players: found 2, expected 1: the mode of its referee is solo
         {"classPath": ["a"], "leagueLevels": 4, "leagueLevel": 5} | 2:68: referee.leagueLevel: found 5, expected a \
         whole number 1..4

@@ -43,10 +43,10 @@ import steward.text.Utf8Text.NotUtf8Exception;
         "is recognised by its first view. The file may be packed by gzip. For a game for",
         "one player, FILE can also be {\"stdin\":[..],\"stdout\":[..]}, the lines sent and",
         "answered. Each sent line is compared with ours.",
-        "", "A game with a published referee needs --scene, the scene that 'steward adopt'",
-        "made. FILE can also be what the SDK's own runner writes. The recorded answers are",
-        "played into the referee, and all that it says is compared at once. If anything",
-        "differs, the other league levels of the scene are tried, and named.",
+        "", "A game with a published referee needs --scene, the scene that 'steward",
+        "adopt' made. FILE can also be what the SDK's own runner writes. The recorded",
+        "answers are played into the referee, and all that it says is compared at once.",
+        "If anything differs, the other league levels of the scene are tried, and named.",
         "", "--json: turns, ending (null if the recording ends before), replay; with --scene",
         "also equal, difference or null, note or null, notCompared, others.",
         "", "Examples:",
@@ -55,7 +55,7 @@ import steward.text.Utf8Text.NotUtf8Exception;
         "  steward import game.json --scene exotec.json --out game.jsonl",
         "  curl ... | steward import - --out - | steward replay - --verify",
         "", "Exit status: 0 imported; 1 a line of the server differs, or a frame from the",
-        "referee of --scene; 2 wrong file or call: the error names the frame and the line."})
+        "referee of --scene; 2 wrong file or call: the error names frame and line."})
 public final class ImportCommand extends ProgramCommand {
 
     private static final String RECORDING = "a recording";

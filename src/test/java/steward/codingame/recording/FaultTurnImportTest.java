@@ -70,7 +70,7 @@ class FaultTurnImportTest {
             lines.subList(line, lines.size()).clear();
         } else {
             String[] words = lines.get(line).split(" ");
-            words[word] = to;
+            words[word] = to.replace("#", words[word]);
             lines.set(line, String.join(" ", words));
         }
         frame.put("view", String.join("\n", lines) + "\n");
@@ -85,7 +85,7 @@ class FaultTurnImportTest {
     /** Word behind the number, and messages of the player who fails: public battles of 2026 show none. */
     @Test
     void aWordOrAMessageThatBattlesDoNotShowIsFound() {
-        assertEquals("view line 0, word 1", changed(0, 1, " 9 endReached").field());
+        assertEquals("view line 0, word 1", changed(0, 1, "# endReached").field());
         assertEquals("view line 6, word 0", changed(6, 0, "\"bye\"").field());
     }
 
