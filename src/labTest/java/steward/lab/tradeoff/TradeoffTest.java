@@ -202,9 +202,9 @@ class TradeoffTest {
         assertTrue(page.contains("on 2030-01-02: a machine."), page);
         assertTrue(page.contains(" srcset=\"tradeoff-scenes-dark.png\"><img alt=\"Error against cost, a panel a scene"
             + "\" src=\"tradeoff-scenes.png\"></picture>\n"), page);
-        assertTrue(page.contains("for 0.86 - 0.89 times the cost of `double` on a race turn, and 3 of 400 pod-turns"),
+        assertTrue(page.contains("On a race turn it costs 0.86 - 0.89 times as much as `double`. 3 of 400 pod-turns"),
             page);
-        assertTrue(page.contains("`step/1`: 0.49 - 0.51 times the cost"), page);
+        assertTrue(page.contains("`step/1`. On a race turn it costs 0.49 - 0.51 times as much as `double`"), page);
         assertTrue(page.contains("than any rung with exact times: `step/1` on official-race, "
             + "`step/1` on grazing."), page);
         assertFalse(page.contains("The default"), "in a race it missed or invented 3 of 50 impacts");
