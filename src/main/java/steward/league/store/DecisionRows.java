@@ -3,7 +3,6 @@ package steward.league.store;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.Collectors;
 import steward.league.Decision;
 
 /** Writer of rows of decisions within a running transaction. Not thread-safe. */
@@ -33,7 +32,9 @@ final class DecisionRows {
     }
 
     private static String text(List<Integer> versions) {
-        return versions.stream().map(Object::toString).collect(Collectors.joining(" "));
+        StringBuilder text = new StringBuilder();
+        versions.forEach(version -> text.append(text.length() == 0 ? "" : " ").append(version));
+        return text.toString();
     }
 
     /**

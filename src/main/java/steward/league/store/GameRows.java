@@ -3,7 +3,6 @@ package steward.league.store;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.Collectors;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
 
@@ -81,6 +80,10 @@ final class GameRows {
     }
 
     private static String lineup(StoredGame game) {
-        return Arrays.stream(game.lineup()).mapToObj(Integer::toString).collect(Collectors.joining(" "));
+        StringBuilder versions = new StringBuilder();
+        for (int version : game.lineup()) {
+            versions.append(versions.length() == 0 ? "" : " ").append(version);
+        }
+        return versions.toString();
     }
 }
