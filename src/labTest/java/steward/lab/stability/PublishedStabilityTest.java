@@ -53,8 +53,8 @@ class PublishedStabilityTest {
         List<StabilityRow> rows = lines.stream().map(cells -> new StabilityRow(cells.get(0), cells.get(5), cells.get(1),
             new Finding(Finding.Verdict.valueOf(cells.get(2).toUpperCase(Locale.ROOT)), cells.get(4)),
             Double.parseDouble(cells.get(3)))).toList();
-        assertEquals(1, lines.stream().map(cells -> cells.subList(6, 10)).distinct().count(),
-            "of one length, date, version and machine");
+        assertEquals(1, lines.stream().map(cells -> List.of(cells.get(6), cells.get(8), cells.get(9))).distinct()
+            .count(), "of one length, version and machine; rows of a changed law are of a later date");
         List<String> run = lines.get(0).subList(6, 10);
         String page = StabilityPage.text(new StabilityRun(RunLength.valueOf(run.get(0).toUpperCase(Locale.ROOT)),
             run.get(1), run.get(2), run.get(3)), rows);
