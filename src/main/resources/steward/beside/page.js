@@ -63,6 +63,7 @@ function listDifferences(turn) {
   clock.shown = turn;
   const isOver = matches.some(each => turn > each.lastTurn());
   const rows = isOver ? [] : differencesOf(turn);
+  if (!isOver && data.results.length > 0 && turn === matches[0].lastTurn()) rows.push(['result', ...data.results]);
   find('h-differs').textContent = isOver ? `Turn ${turn}: one match is over` : `${turn === 0 ? 'Start' : `Turn ${turn}`}: ${rows.length
     ? `${rows.length} ${rows.length === 1 ? 'difference' : 'differences'}` : 'no difference'}${data.first < 0 ? '' : ` · first turn that differs: ${data.first}`}`;
   const body = /** @type {HTMLTableElement} */ (find('differs')).tBodies[0];

@@ -34,6 +34,8 @@ final class BesidePage {
     private final List<ReplayHeader> headers;
     private final int[] turns = new int[2];
     private int firstDifferent = -1;
+    /** Both results, where both replays have one and they differ; otherwise none. */
+    private List<String> results = List.of();
 
     /** Reads both. @throws InputException if they are not of one scene, seed and players */
     BesidePage(Streams streams, Path one, Path other) {
@@ -59,12 +61,23 @@ final class BesidePage {
                     next[k] = next[k] == null ? null : (k == 0 ? a : b).next();
                 }
             }
+            if (a.resultJson() != null && b.resultJson() != null && !result(a).equals(result(b))) {
+                results = List.of(result(a), result(b));
+            }
             for (ReplayReader each : List.of(a, b)) {
                 if (each.warning() != null) {
                     streams.warn(each.warning());
                 }
             }
         }
+    }
+
+    /** Ending and standing as the result line has them, without names and times. */
+    private static String result(ReplayReader replay) {
+        String line = new String(replay.resultJson(), StandardCharsets.UTF_8);
+        int from = line.indexOf("\"ending\"");
+        int to = line.indexOf(",\"players\"");
+        return from < 0 || to < from ? line : line.substring(from, to);
     }
 
     private void requireSame(String what, Function<ReplayHeader, Object> field) {
@@ -100,7 +113,7 @@ final class BesidePage {
         String ends = turns[0] == turns[1] ? "" : "; " + files.get(turns[0] < turns[1] ? 0 : 1) + " ends after turn "
             + Math.min(turns[0], turns[1]);
         return (firstDifferent < 0 ? "No turn of both differs" : "The first turn that differs: " + firstDifferent)
-            + ends;
+            + ends + (results.isEmpty() ? "" : "; the results differ");
     }
 
     /** Writes the page. */
@@ -119,6 +132,7 @@ final class BesidePage {
             String data = LeaguePage.inScript(LeaguePage.json(out -> {
                 JsonObject.writeTexts(out, "files", files.stream().map(file -> file.getFileName().toString()).toList());
                 out.writeNumberProperty("first", firstDifferent);
+                JsonObject.writeTexts(out, "results", results);
                 JsonObject.writeTexts(out, "shell", List.of(shell.before(), shell.after()));
                 JsonObject.writeTexts(out, "replays", replays.stream().map(ReplayPage.Embedded::replay).toList());
                 JsonObject.writeTexts(out, "details", replays.stream().map(ReplayPage.Embedded::details).toList());

@@ -48,6 +48,20 @@ class BesidePageTest {
             text.stream().collect(Collectors.joining("\n", "", "\n")));
     }
 
+    /** All turns are equal, and another has won. */
+    @Test
+    void resultsThatDifferAreTold() throws IOException {
+        int last = lines.size() - 1;
+        lines.set(last, lines.get(last).replaceFirst("\"ending\":\"[^\"]*\"", "\"ending\":\"crashed\""));
+        assertTrue(beside(other(lines)).out().endsWith("No turn of both differs; the results differ\n"));
+        try (PageTestBrowser browser = PageTestBrowser.start()) {
+            browser.open(folder.resolve("both.html"), "#t=4.00");
+            browser.run("steward.seek(1e9)");
+            assertTrue(browser.text("#h-differs").contains(": 1 difference"), browser.text("#h-differs"));
+            assertTrue(browser.text("#differs").contains("crashed"), browser.text("#differs"));
+        }
+    }
+
     /** Another thrust and another state in turn 5, and an end four turns earlier than the first match's. */
     @Test
     void theFirstTurnThatDiffersIsMarkedAndTheShorterMatchStops() throws IOException {
