@@ -21,6 +21,9 @@ package steward.bot;
 public record TimeSpent(long limit, long taken, long unobserved, long computed, long waited, long other, long cpu,
                         Shows shows, boolean overCpu) {
 
+    /** Words of a late answer for which others are to blame. */
+    public static final String NOT_ITS_FAULT = "the machine was busy: not its fault";
+
     /** Parts that the kernel shows. */
     public enum Shows {
         /** None. */
@@ -83,7 +86,7 @@ public record TimeSpent(long limit, long taken, long unobserved, long computed, 
 
     private String words() {
         double observed = taken - unobserved;
-        return starved() ? "the machine was busy: not its fault"
+        return starved() ? NOT_ITS_FAULT
             : overCpu || computed >= MOST_OF_IT * observed ? "computed all the time: an endless loop, or too slow?"
             : other >= observed / 2 && shows != Shows.STEPS ? "computed for " + ms(computed) + " ms, then waited, "
                 + "as for input that nobody had sent: does it read too much, or not flush?"

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
+import steward.bot.TimeSpent;
 import steward.cli.options.TimeLimitOptions;
 import steward.cli.replay.RecordedResult;
 import steward.cli.replay.ReplayCommand;
@@ -56,6 +57,8 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
 
     private static final String REPLAYS = ".jsonl";
     private static final String OPTION = "--as";
+    /** As in series: a game that the bot lost because others used the processors is played again. */
+    private static final int MOST_ATTEMPTS = 3;
 
     /** Makes a contest of a scene in which the bot alone is started. */
     @FunctionalInterface
@@ -95,6 +98,7 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
     /** Plays all games of a folder, or the one of a file. */
     int play(Path games, int threads) throws InterruptedException {
         List<Path> files = files(games);
+        boolean isOne = !Files.isDirectory(games);
         String name = entrant(usual).name();
         Row[] rows = new Row[files.size()];
         AtomicInteger next = new AtomicInteger();
@@ -102,7 +106,7 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
                 ? ProgressLine.watched(streams, "games", files.size()) : null) {
             WorkerThreads.run("games", Math.min(threads, files.size()), thread -> () -> {
                 for (int k = next.getAndIncrement(); k < rows.length; k = next.getAndIncrement()) {
-                    rows[k] = row(files.get(k));
+                    rows[k] = row(files.get(k), isOne);
                     if (progress != null) {
                         progress.step();
                     }
@@ -142,35 +146,52 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
         }
     }
 
-    private Row row(Path file) throws InterruptedException {
+    /** @param isOne whether the call names the file, not a folder */
+    private Row row(Path file, boolean isOne) throws InterruptedException {
         String name = file.getFileName().toString();
         RecordedMatch match;
         MatchResult then;
         try (ReplayReader replay = ReplayCommand.open(file)) {
             match = RecordedMatch.read(replay);
             then = RecordedResult.of(replay, match.header().names());
-        } catch (ReplayException problem) {
+        } catch (ReplayException | InputException | UncheckedIOException problem) {
+            if (isOne && problem instanceof InputException) {
+                throw problem;                       // the call names it
+            }
             return new Row(name, null, null, null, problem.getMessage());
         }
         try {
             int seat = PlayerChoice.of(OPTION, as, match.header().names(), name);
-            Rematch rematch = new Rematch(match, types, Games.types(false), seat);
-            Contest seated = contest.of(rematch.setup()).between(List.of(entrant(rematch.setup().isGuest()
-                ? Protocol.CODINGAME : usual)));
-            Contest.checkPlayable(seated.setup(), seated.entrants());
-            seated = pace.limit(seated);
-            Entrant entrant = seated.entrants().get(0);
-            GameSetup isolated = seated.setup();
-            Rematch.Outcome outcome = rematch.play(new Seat(seated.player(entrant), entrant.protocol(),
-                seated.limits(List.of(entrant)).get(0)), seated.time(),
-                setup -> setup instanceof GuestSetup ? isolated : setup);
-            return new Row(name, points(then, seat), points(outcome.result(), seat), outcome, null);
+            Rematch.Outcome outcome = outcome(match, seat);
+            for (int attempt = 1; isStarved(outcome) && attempt < MOST_ATTEMPTS; attempt++) {
+                outcome = outcome(match, seat);
+            }
+            return isStarved(outcome) ? new Row(name, points(then, seat), null, null, outcome.reason())
+                : new Row(name, points(then, seat), points(outcome.result(), seat), outcome, null);
         } catch (ReplayException | SceneException | InputException | UncheckedIOException problem) {
             if (problem instanceof Remedied remedied && !remedied.remedies().isEmpty()) {
                 throw problem;                       // an option of the call is missing, for all games of its kind
             }
             return new Row(name, points(then, seat(match)), null, null, problem.getMessage());
         }
+    }
+
+    /** True if the bot was late because others used the processors. */
+    private static boolean isStarved(Rematch.Outcome outcome) {
+        return outcome.ending() == Rematch.Ending.FAILED && outcome.reason().contains(TimeSpent.NOT_ITS_FAULT);
+    }
+
+    private Rematch.Outcome outcome(RecordedMatch match, int seat) throws InterruptedException {
+        Rematch rematch = new Rematch(match, types, Games.types(false), seat);
+        Contest seated = contest.of(rematch.setup()).between(List.of(entrant(rematch.setup().isGuest()
+            ? Protocol.CODINGAME : usual)));
+        Contest.checkPlayable(seated.setup(), seated.entrants());
+        seated = pace.limit(seated);
+        Entrant entrant = seated.entrants().get(0);
+        GameSetup isolated = seated.setup();
+        return rematch.play(new Seat(seated.player(entrant), entrant.protocol(),
+            seated.limits(List.of(entrant)).get(0)), seated.time(),
+            setup -> setup instanceof GuestSetup ? isolated : setup);
     }
 
     private int seat(RecordedMatch match) {

@@ -16,6 +16,7 @@ import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.contest.Series;
 import steward.contest.SeriesPlay;
+import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.league.page.LeaguePage;
 import steward.replay.page.PageReplays;
@@ -46,6 +47,10 @@ record SeriesPage(Path file, boolean open, boolean overwrite) {
         SeriesPage page = new SeriesPage(view == null ? Pages.unnamed() : OutputFiles.path(view), open,
             overwrite || view == null);
         OutputFiles.check(page.file, page.overwrite);
+        Path above = page.file.toAbsolutePath().getParent();
+        if (!Files.isDirectory(above)) {
+            throw new InputException(page.file + ": cannot be written: there is no folder " + above);
+        }
         return page;
     }
 
