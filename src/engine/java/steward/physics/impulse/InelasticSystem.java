@@ -37,7 +37,7 @@ final class InelasticSystem {
     double[] allowed = new double[0];
     /** True for a contact that may not open either: its impulse may be negative. */
     boolean[] held = new boolean[0];
-    /** What is to be taken of an approach, before the impulses. */
+    /** Speed that is to be taken of an approach, before the impulses. */
     private double[] approach = new double[0];
     /** Velocities before the impulses. */
     private double[] fromX = new double[0];
@@ -199,12 +199,12 @@ final class InelasticSystem {
         return normalX[k] * x + normalY[k] * y;
     }
 
-    /** What is to be taken of the approach of a contact before the impulses. */
+    /** Returns the speed that is to be taken of the approach of a contact, before the impulses. */
     double before(int k) {
         return approach[k];
     }
 
-    /** What is left to be taken after the impulses; below 0 if a contact opens faster than it has to. */
+    /** Returns the speed that is left to be taken after the impulses; below 0 if a contact opens faster than needed. */
     double left(int k) {
         return left(k, vx, vy);
     }

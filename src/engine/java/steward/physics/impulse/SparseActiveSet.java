@@ -45,7 +45,7 @@ final class SparseActiveSet {
     private boolean[] active = new boolean[0];
     /** Impulses before a step. */
     private double[] start = new double[0];
-    /** What was left of approaches before a step. */
+    /** Speeds that were left of approaches before a step. */
     private double[] slope = new double[0];
     /** Right side, then the change of the impulses. */
     private double[] change = new double[0];

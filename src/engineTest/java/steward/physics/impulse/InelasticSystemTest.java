@@ -17,7 +17,7 @@ class InelasticSystemTest {
     /** Share of the speeds up to which conditions hold; contacts part at more than that, 2^-42. */
     private static final double EXACT = 1e-12;
 
-    /** What is difficult about a heap. */
+    /** Kinds of heaps, by their difficulty. */
     enum Heap {
         /** Discs at random places with random velocities. */
         LOOSE,

@@ -55,7 +55,7 @@ import tools.jackson.core.JsonGenerator;
 record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, String as, GameTypes types,
                    Seating contest, TimeLimitOptions pace, Verbosity report, boolean strict) {
 
-    private static final String REPLAYS = ".jsonl";
+    private static final List<String> REPLAYS = List.of(".jsonl", ".jsonl.gz");
     private static final String OPTION = "--as";
     /** As in series: a game that the bot lost because others used the processors is played again. */
     private static final int MOST_ATTEMPTS = 3;
@@ -67,15 +67,45 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
     }
 
     /**
-     * What became of a game.
+     * Game of the table, with what became of it.
      *
      * @param name     of its file
-     * @param recorded points of the player then, or {@code null}
-     * @param points   of the bot now, or {@code null}
+     * @param then     result of the recording, or {@code null}
+     * @param seat     of the player in whose place the bot plays
      * @param outcome  {@code null} where it could not be played
      * @param problem  then, why not
      */
-    private record Row(String name, Double recorded, Double points, Rematch.Outcome outcome, String problem) {
+    private record Row(String name, MatchResult then, int seat, Rematch.Outcome outcome, String problem) {
+
+        private MatchResult now() {
+            return outcome == null ? null : outcome.result();
+        }
+
+        /** Points of the player in the recording; {@code null} without a result or others. */
+        Double recorded() {
+            return points(then, seat);
+        }
+
+        /** Points of the bot; {@code null} without a result or others. */
+        Double points() {
+            return points(now(), seat);
+        }
+
+        /** Score of a player without others, of the bot or in the recording; {@code null} without a result. */
+        Double score(boolean inRecording) {
+            MatchResult result = inRecording ? then : now();
+            return result == null || result.players().size() > 1 ? null : (Double) result.players().get(0).score();
+        }
+
+        /** 1 for a win, 1/2 for a draw. */
+        private static Double points(MatchResult result, int seat) {
+            if (result == null || result.players().size() < 2) {
+                return null;
+            }
+            int rank = result.players().get(seat).rank();
+            boolean shared = result.players().stream().filter(player -> player.rank() == rank).count() > 1;
+            return rank > 0 ? 0 : shared ? 0.5 : 1;
+        }
 
         boolean is(Rematch.Ending ending) {
             return outcome != null && outcome.ending() == ending;
@@ -83,8 +113,10 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
 
         String text() {
             return outcome == null ? "not played: " + problem : switch (outcome.ending()) {
-                case UNCHANGED -> "unchanged to the end" + (points == null ? "" : ": " + word(points)
-                    + (recorded == null || recorded.equals(points) ? "" : ", recorded " + word(recorded)));
+                case UNCHANGED -> "unchanged to the end" + (points() != null ? ": " + word(points())
+                    + (recorded() == null || recorded().equals(points()) ? "" : ", recorded " + word(recorded()))
+                    : score(false) == null ? "" : ": score " + TextFormat.number(score(false), 2)
+                    + (score(true) == null ? "" : ", recorded " + TextFormat.number(score(true), 2)));
                 case DEPARTED -> "departed at turn " + outcome.turn() + ": " + outcome.reason();
                 case FAILED -> "failed in turn " + outcome.turn() + ": " + outcome.reason();
             };
@@ -135,9 +167,10 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
             return List.of(games);
         }
         try (Stream<Path> found = Files.list(games)) {
-            List<Path> files = found.filter(file -> file.toString().endsWith(REPLAYS)).sorted().toList();
+            List<Path> files = found.filter(file -> REPLAYS.stream().anyMatch(file.toString()::endsWith)).sorted()
+                .toList();
             if (files.isEmpty()) {
-                throw new InputException("--recorded: found no file " + games.resolve("*" + REPLAYS)
+                throw new InputException("--recorded: found no file " + games.resolve("*" + REPLAYS.get(0))
                     + ", expected replays");
             }
             return files;
@@ -158,7 +191,7 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
             if (isOne && problem instanceof InputException) {
                 throw problem;                       // the call names it
             }
-            return new Row(name, null, null, null, problem.getMessage());
+            return new Row(name, null, 0, null, problem.getMessage());
         }
         try {
             int seat = PlayerChoice.of(OPTION, as, match.header().names(), name);
@@ -166,13 +199,13 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
             for (int attempt = 1; isStarved(outcome) && attempt < MOST_ATTEMPTS; attempt++) {
                 outcome = outcome(match, seat);
             }
-            return isStarved(outcome) ? new Row(name, points(then, seat), null, null, outcome.reason())
-                : new Row(name, points(then, seat), points(outcome.result(), seat), outcome, null);
+            return isStarved(outcome) ? new Row(name, then, seat, null, outcome.reason())
+                : new Row(name, then, seat, outcome, null);
         } catch (ReplayException | SceneException | InputException | UncheckedIOException problem) {
             if (problem instanceof Remedied remedied && !remedied.remedies().isEmpty()) {
                 throw problem;                       // an option of the call is missing, for all games of its kind
             }
-            return new Row(name, points(then, seat(match)), null, null, problem.getMessage());
+            return new Row(name, then, seat(match), null, problem.getMessage());
         }
     }
 
@@ -198,16 +231,6 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
         return Math.max(0, match.header().names().indexOf(as));
     }
 
-    /** 1 for a win, 1/2 for a draw; {@code null} without a result or others. */
-    private static Double points(MatchResult result, int seat) {
-        if (result == null || result.players().size() < 2) {
-            return null;
-        }
-        int rank = result.players().get(seat).rank();
-        boolean shared = result.players().stream().filter(player -> player.rank() == rank).count() > 1;
-        return rank > 0 ? 0 : shared ? 0.5 : 1;
-    }
-
     private void tell(String name, List<Row> rows) {
         if (report == Verbosity.JSON) {
             Json.print(streams, object -> {
@@ -225,8 +248,10 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
                         object.writeNumberProperty("turn", row.outcome.turn());
                     }
                     object.writeStringProperty("reason", row.outcome == null ? row.problem : row.outcome.reason());
-                    writePoints(object, "points", row.points);
-                    writePoints(object, "recorded", row.recorded);
+                    write(object, "points", row.points());
+                    write(object, "recorded", row.recorded());
+                    write(object, "score", row.score(false));
+                    write(object, "recordedScore", row.score(true));
                 });
             });
             return;
@@ -251,11 +276,11 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
         }
     }
 
-    private static void writePoints(JsonGenerator object, String name, Double points) {
-        if (points == null) {
+    private static void write(JsonGenerator object, String name, Double value) {
+        if (value == null) {
             object.writeNullProperty(name);
         } else {
-            object.writeNumberProperty(name, points);
+            object.writeNumberProperty(name, value);
         }
     }
 
@@ -264,7 +289,7 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
     }
 
     private static String standing(List<Row> rows, boolean recorded) {
-        List<Double> points = rows.stream().map(row -> recorded ? row.recorded : row.points)
+        List<Double> points = rows.stream().map(row -> recorded ? row.recorded() : row.points())
             .filter(each -> each != null).toList();
         List<String> counts = new ArrayList<>();
         for (double each : new double[] {1, 0.5, 0}) {

@@ -115,7 +115,7 @@ record GuestImport(Streams streams, String text, String source, List<String> sce
         return played.isSame() ? ExitStatus.DONE : ExitStatus.FAILED;
     }
 
-    /** What becomes of the game at other levels of the scene, and in the other scenes at all of theirs. */
+    /** Plays the game at other levels of the scene, and in the other scenes at all of theirs; a sentence on each. */
     private List<String> others(GuestSetup first) throws InterruptedException {
         List<String> found = new ArrayList<>();
         for (String scene : scenes) {

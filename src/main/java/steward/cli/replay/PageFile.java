@@ -21,9 +21,9 @@ import steward.replay.page.PageExtras;
  *
  * @param replay or {@code null} if it came on the standard input
  * @param turns  how many turns the match has
- * @param isShared whether previews of links expect a picture beside it
+ * @param site   address for previews of links, which expect a picture beside it; or {@code null}
  */
-record PageFile(Path replay, byte[] html, int turns, boolean isShared) {
+record PageFile(Path replay, byte[] html, int turns, String site) {
 
     /**
      * Makes the page; a replay that was cut off is told to the user.
@@ -59,7 +59,7 @@ record PageFile(Path replay, byte[] html, int turns, boolean isShared) {
         if (warning != null) {
             streams.warn(warning);
         }
-        return new PageFile(replay, html, turns, site != null);
+        return new PageFile(replay, html, turns, site);
     }
 
     /** Writes the page to a file, or to one without a name if {@code null}, and returns where it is. */
@@ -82,10 +82,11 @@ record PageFile(Path replay, byte[] html, int turns, boolean isShared) {
      * @return what to tell: where it is, or why it is missing; {@code null} where the page is for no address
      */
     String preview(Path page, boolean overwrite) throws InterruptedException {
-        if (!isShared) {
+        if (site == null) {
             return null;
         }
-        Path png = page.resolveSibling(page.getFileName().toString().replaceFirst("(\\.html?)?$", ".png"));
+        String address = PageExtras.picture(site);
+        Path png = page.resolveSibling(address.substring(address.lastIndexOf('/') + 1));
         if (Files.exists(png) && !overwrite) {
             return "Picture of previews: " + png + ", as it was; --overwrite would replace it";
         }

@@ -54,7 +54,7 @@ final class PictureScores {
         return body.get("passed") instanceof Double;
     }
 
-    /** What a player had, in the order of time. */
+    /** Scores that a player had, in the order of time. */
     List<Span> spans(int player) {
         List<Span> spans = new ArrayList<>();
         for (int turn = 0; turn < byTurn.size(); turn++) {

@@ -353,6 +353,8 @@ public final class ReplayCommand extends ProgramCommand {
                     Pages.write(out, text, svg);
                 }
                 say("Picture: " + svg);
+            } else {
+                throw new InputException("--picture: found a replay that was cut off in its header");
             }
             if (replay.warning() != null) {
                 streams.warn(replay.warning());

@@ -25,10 +25,17 @@ public record PageExtras(GameTypes types, String site, String description) {
         if (site == null) {
             return "";
         }
-        String picture = site.replaceFirst("(\\.html?)?$", ".png");
         return property("og:type", "website") + property("og:title", title) + property("og:description", description)
-            + property("og:url", site) + property("og:image", picture) + named("twitter:card", "summary_large_image")
-            + named("description", description);
+            + property("og:url", site) + property("og:image", picture(site))
+            + named("twitter:card", "summary_large_image") + named("description", description);
+    }
+
+    /** The address of the picture of a page: in the same folder, {@code race.png} for {@code race.html}. */
+    public static String picture(String site) {
+        String path = site.replaceFirst("[?#].*$", "");
+        boolean isHost = path.indexOf('/', path.indexOf("://") + "://".length()) < 0;
+        return isHost || path.endsWith("/") ? path + (isHost ? "/" : "") + "index.png"
+            : path.replaceFirst("(\\.html?)?$", ".png");
     }
 
     private static String property(String name, String content) {

@@ -148,7 +148,7 @@ final class PodRaceViews implements ViewWriter {
         return new Frame(List.of(ANY + " " + REST), null, information(answer), tooltips(answer));
     }
 
-    /** What the pods of a player do, for people; {@code null} for one who fails. A second boost has usual power. */
+    /** Sentences on what the pods of a player do; {@code null} for one who fails. A second boost has usual power. */
     private List<String> information(int player) {
         if (player >= failed.length || failed[player]) {
             return null;
