@@ -33,6 +33,7 @@ import steward.text.TextFormat;
 
 /**
  * A scene and the checked bots that play in it. Any number of matches can be played, also at the same time.
+ * Over 400 lines, because half of the class are checks and accessors of one record.
  *
  * @param setup      the scene with its game
  * @param entrants   the bots, in the order of the call: as many as a game has players, or any number in a scene for one

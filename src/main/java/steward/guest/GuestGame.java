@@ -25,6 +25,7 @@ import steward.text.TextFormat;
  *
  * <p>The program is started when the game is first asked whose turn it is, and ended by the end of the game or {@link
  * #close}.
+ * Over 400 lines, because every block of a referee changes the same state.
  */
 final class GuestGame extends AbstractGame {
 

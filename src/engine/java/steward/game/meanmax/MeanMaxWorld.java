@@ -10,6 +10,7 @@ import steward.physics.Bodies;
 /**
  * Everything in the arena of Mean Max. Looters and tankers are bodies; wrecks and skill effects are places. All share
  * one counter of ids. Bodies stand in the order of their ids: looters from 0 on, player by player, then tankers.
+ * Over 400 lines, because all steps of a turn work on the same bodies.
  */
 public final class MeanMaxWorld {
 

@@ -57,7 +57,10 @@ import steward.scene.Scene;
 import steward.scene.SceneFiles;
 import steward.text.TextFormat;
 
-/** {@code steward tournament}: plays all programs in a folder against each other. */
+/**
+ * {@code steward tournament}: plays all programs in a folder against each other. Over 400 lines, because a quarter of
+ * them are options and help.
+ */
 @Command(name = "tournament", description = "Compiles and checks the programs of a folder, plays all of them "
     + "against each other, and writes a table and a page for each author.",
     footer = {
