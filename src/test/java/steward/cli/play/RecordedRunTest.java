@@ -63,7 +63,7 @@ class RecordedRunTest {
         assertTrue(failing.out().contains("failed     2, in turn 1\n"), failing.out());
     }
 
-    /** A folder is played as far as its files can be read, compressed ones too; a file that is named has to be there. */
+    /** A folder is played as far as its files can be read, compressed ones too; one that is named must be there. */
     @Test
     void aFileThatCannotBeReadDoesNotEndAFolder() throws IOException {
         byte[] second = Files.readAllBytes(games.resolve("2.jsonl"));
