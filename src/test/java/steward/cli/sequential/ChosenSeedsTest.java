@@ -100,7 +100,9 @@ class ChosenSeedsTest {
         String[] listed = Stream.concat(call.stream(), Stream.of("--seed-file", list)).toArray(String[]::new);
         String[] anyway = Stream.concat(Stream.of(listed), Stream.of("--anyway")).toArray(String[]::new);
         String[] again = call.toArray(String[]::new);
-        Cli.run(listed).assertRefused("seeds that were chosen by games of mine");
+        Cli refused = Cli.run(listed);
+        assertEquals(ExitStatus.UNUSABLE, refused.status());
+        assertTrue(refused.err().contains("seeds that were chosen by games of mine"), refused.err());
         assertFalse(Files.exists(out.resolve("league/seeds.txt")));
         assertFalse(Cli.run(again).done().out().contains("Flagged"), "numbers in a row");
         assertTrue(Cli.run(anyway).done().out().contains("Flagged"));
