@@ -8,8 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -22,13 +20,6 @@ import steward.replay.verify.Verification;
  */
 class ServerChipsImportTest {
 
-    private static String excerpt() throws IOException {
-        try (InputStream in = ServerChipsImportTest.class.getResourceAsStream(
-            "/pokerchiprace/server-frames0-8.json")) {
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
-        }
-    }
-
     private static Verification verified(String json) {
         ByteArrayOutputStream replay = new ByteArrayOutputStream();
         try {
@@ -40,7 +31,7 @@ class ServerChipsImportTest {
     }
 
     private static String changed(String from, String to) throws IOException {
-        String json = excerpt();
+        String json = SiteGames.of("poker-chip-race");
         int at = json.lastIndexOf(from);
         assertTrue(at >= 0, "there is no " + from);
         return json.substring(0, at) + to + json.substring(at + from.length());
@@ -48,7 +39,7 @@ class ServerChipsImportTest {
 
     @Test
     void theExcerptVerifies() throws IOException {
-        Verification found = verified(excerpt());
+        Verification found = verified(SiteGames.of("poker-chip-race"));
         assertNull(found.difference());
         assertEquals(4, found.states());
     }
@@ -72,7 +63,7 @@ class ServerChipsImportTest {
 
     @Test
     void aChangedPlaceOfTheStartIsFound() throws IOException {
-        String json = excerpt();
+        String json = SiteGames.of("poker-chip-race");
         Verification found = verified(json.replaceFirst("359\\.68 27\\.89", "359.69 27.89"));
         assertEquals(0, found.difference().turn());
         assertEquals("view line 4, word 3", found.difference().field());

@@ -3,12 +3,15 @@ package steward.codingame.recording;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.StringJoiner;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.TextCodec;
 import steward.game.ViewWriter;
+import steward.game.fantasticbits.FantasticBits;
+import steward.game.fantasticbits.Pitch;
 import steward.game.searchrace.SearchRace;
 import steward.match.TestScenes;
 import steward.scene.SceneFiles;
@@ -66,6 +69,22 @@ final class ServerGame {
             return "EXPERT " + Math.round(Math.max(-18, Math.min(18, Math.toDegrees(
                 Math.IEEEremainder(wanted, 2 * Math.PI))))) + (of.turn() % 2 == 0 ? " 180 even" : " 190 odd one");
         }, ServerGame::graphics);
+    }
+
+    /** Some turns of wizards who carry, throw and cast. */
+    static ObjectNode fantasticBits() {
+        return play("fantastic-bits", 3, 14, (bits, player) -> {
+            FantasticBits of = (FantasticBits) bits;
+            StringJoiner lines = new StringJoiner("\n");
+            for (int k = 0; k < Pitch.WIZARDS_PER_PLAYER; k++) {
+                int wizard = player * Pitch.WIZARDS_PER_PLAYER + k;
+                int snaffle = Pitch.WIZARDS + wizard;
+                lines.add(of.pitch().held(wizard) >= 0 ? "THROW 9000 4000 500 go"
+                    : of.turn() % 13 == 0 && k == 0 ? "FLIPENDO " + of.bodies().id(snaffle)
+                    : "MOVE " + (long) of.bodies().x[snaffle] + " " + (long) of.bodies().y[snaffle] + " 140 on");
+            }
+            return lines.toString();
+        }, lines -> String.join("\n", lines) + "\n").put("refereeInput", "seed=3\n");
     }
 
     private void turn(BiFunction<Game, Integer, String> answers) {

@@ -23,8 +23,6 @@ import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.GroundTruth;
-import steward.game.fantasticbits.FantasticBits;
-import steward.game.fantasticbits.Pitch;
 import steward.match.TestScenes;
 import steward.match.TestSize;
 import steward.replay.verify.Verification;
@@ -131,19 +129,8 @@ class WordsAreComparedTest {
     /** Turn played here: the form is that of the published referee. */
     @Test
     void ofFantasticBits(TestReporter report) {
-        ObjectNode game = ServerGame.play("fantastic-bits", 3, 14, (bits, player) -> {
-            FantasticBits of = (FantasticBits) bits;
-            StringJoiner lines = new StringJoiner("\n");
-            for (int k = 0; k < Pitch.WIZARDS_PER_PLAYER; k++) {
-                int wizard = player * Pitch.WIZARDS_PER_PLAYER + k;
-                int snaffle = Pitch.WIZARDS + wizard;
-                lines.add(of.pitch().held(wizard) >= 0 ? "THROW 9000 4000 500 go"
-                    : of.turn() % 13 == 0 && k == 0 ? "FLIPENDO " + of.bodies().id(snaffle)
-                    : "MOVE " + (long) of.bodies().x[snaffle] + " " + (long) of.bodies().y[snaffle] + " 140 on");
-            }
-            return lines.toString();
-        }, lines -> String.join("\n", lines) + "\n");
-        check(report, "fantastic-bits", game.put("refereeInput", "seed=3\n"));
+        ObjectNode game = ServerGame.fantasticBits();
+        check(report, "fantastic-bits", game);
         assertMissed(Set.of("view line 19, word 1", "view line 20, word 1"), "numbers of meetings");
     }
 
