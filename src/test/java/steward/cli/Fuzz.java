@@ -9,6 +9,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import steward.cli.BrokenInputs.Kind;
 import steward.cli.league.BrokenRows;
+import steward.files.InputException;
 import steward.machines.check.BrokenTranscripts;
 import steward.machines.wire.IncomingBytes;
 import steward.match.Protocol;
@@ -59,8 +60,13 @@ public final class Fuzz {
         long seconds = option(options, "--seconds", Long.MAX_VALUE / 2_000_000_000);
         int only = options.indexOf("--only");
         Fuzz fuzz = new Fuzz(Files.createTempDirectory("fuzz-"), option(options, "--seed", 12), options);
-        List<Named> targets = fuzz.targets().stream()
+        List<Named> all = fuzz.targets();
+        List<Named> targets = all.stream()
             .filter(each -> only < 0 || each.name().contains(options.get(only + 1))).toList();
+        if (targets.isEmpty()) {
+            throw new InputException("--only: found " + options.get(only + 1) + ", expected a part of one of "
+                + all.stream().map(Named::name).toList());
+        }
         System.out.printf(ROW, "target", "inputs", "refused", "a second", "slowest, ms");
         long nanosEach = TimeUnit.SECONDS.toNanos(seconds) / targets.size();
         for (Named each : targets) {
