@@ -29,7 +29,7 @@ import tools.jackson.core.JacksonException;
 /**
  * Reader of a replay, line by line, also if it is packed with gzip, has a byte order mark or Windows line ends. A file
  * that was cut off anywhere is read up to the cut: its last line, if it has no line end and is no complete object, is
- * dropped, and {@link #warning} says so.
+ * dropped, and {@link #warning} says so, as it does if turns are missing.
  *
  * <p>Throws {@link ReplayException} if a file is no replay, has a newer format, is damaged before its end, has a line
  * that is too long, or a field that its format does not have at that place; {@link UncheckedIOException} if the file
@@ -307,6 +307,10 @@ public final class ReplayReader implements AutoCloseable {
         switch (line.text("type")) {
             case "turn" -> {
                 RecordedTurn turn = RecordedTurn.of(line, header.names().size());
+                if (turn.number() != lastTurn + 1 && warning == null) {
+                    warning = line.where() + ": turn: found " + turn.number() + ", expected " + (lastTurn + 1)
+                        + ": turns are missing or out of order";
+                }
                 lastTurn = turn.number();
                 return turn;
             }
@@ -376,7 +380,7 @@ public final class ReplayReader implements AutoCloseable {
         return result == null ? null : result.json();
     }
 
-    /** Says where the file was cut off, or {@code null} if it was not; known at the end. */
+    /** Says where the file was cut off or turns are missing; {@code null} if it is whole; known at the end. */
     public String warning() {
         return warning;
     }

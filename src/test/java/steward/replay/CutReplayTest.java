@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.ByteArrayInputStream;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
@@ -87,6 +88,22 @@ class CutReplayTest {
             Recorded.verify(Arrays.copyOf(replay, header + 2)).warning());
         assertEquals("r.jsonl: cut off within the line after turn 7",
             Recorded.verify(Arrays.copyOf(replay, replay.length - 5)).warning());
+    }
+
+    /** A line in the middle is gone: all others are read. */
+    @Test
+    void missingTurnsAreNamed() {
+        List<String> lines = new ArrayList<>(small().lines());
+        lines.remove(3);
+        byte[] replay = (String.join("\n", lines) + "\n").getBytes(StandardCharsets.UTF_8);
+        try (ReplayReader reader = Recorded.reader(replay)) {
+            int turns = 0;
+            while (reader.next() != null) {
+                turns++;
+            }
+            assertEquals(6, turns);
+            assertEquals("r.jsonl:4: turn: found 4, expected 3: turns are missing or out of order", reader.warning());
+        }
     }
 
     @Test
