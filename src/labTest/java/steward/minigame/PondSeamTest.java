@@ -20,7 +20,7 @@ import steward.scene.json.SceneException;
 /** Needs of a second game that the first game could do without: tried on the pond. */
 class PondSeamTest {
 
-    private static final GameSetup POND = PondMatches.changed();
+    private static final GameSetup POND = MiniScenes.pond();
 
     /** Times in this JVM. */
     private static final Timing<RungJob> HERE = new Timing<>(new TimingEffort(1, 1, 0, 0, 0),
@@ -68,7 +68,7 @@ class PondSeamTest {
     @Test
     void aSceneForAnotherNumberOfPlayersIsRefused() {
         assertEquals("pond.json:1:1: players: found 1, expected 2..16, as many as pond is for",
-            assertThrows(SceneException.class, () -> PondMatches.changed("\"players\": 3", "\"players\": 1"))
+            assertThrows(SceneException.class, () -> MiniScenes.pond("\"players\": 3", "\"players\": 1"))
                 .getMessage().replaceFirst(":[0-9]+:[0-9]+:", ":1:1:"));
     }
 }

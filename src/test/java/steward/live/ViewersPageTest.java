@@ -11,29 +11,19 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.league.page.LeaguePage;
 import steward.replay.Recorded;
 import steward.replay.page.PageExtras;
-import steward.replay.page.PageTestBrowser;
+import steward.replay.page.PageTestCase;
 
 /** Live pages in a real browser that are not admitted, or dropped: they say so, and a button connects again. */
-@Tag("browser")
 @Tag("process")
 @Tag("slow")
 @Timeout(120)
-@Execution(ExecutionMode.CONCURRENT)
-@ResourceLock(PageTestBrowser.LOCK)
-class ViewersPageTest {
+class ViewersPageTest extends PageTestCase {
 
     private static final List<String> LINES = Recorded.of("duel", 5).lines();
     private static final String TAKEN = "All places are taken: 1 are watching, more are not admitted. Connect again";
-
-    @TempDir
-    private Path folder;
 
     private static void write(LiveRecording recording, String line) {
         byte[] bytes = (line + "\n").getBytes(StandardCharsets.UTF_8);
@@ -46,8 +36,7 @@ class ViewersPageTest {
         write(recording, LINES.get(0));
         write(recording, LINES.get(1));
         try (LiveServer server = LiveServer.start(null, 0, 1, "b", recording, PageExtras.NONE);
-             Clients first = new Clients(server.address());
-             PageTestBrowser browser = PageTestBrowser.start()) {
+             Clients first = new Clients(server.address())) {
             Clients.LiveFeed feed = first.feed();
             assertEquals(LINES.get(0), feed.next());
             browser.go(server.address().toString());
@@ -58,7 +47,6 @@ class ViewersPageTest {
                 browser.run("document.querySelector('#notice button')?.click()");
                 return browser.is("steward.lastTurn() === 1 && document.getElementById('notice').hidden");
             });
-            assertEquals(List.of(), browser.complaints());
         }
     }
 
@@ -69,8 +57,7 @@ class ViewersPageTest {
         LiveRecording recording = new LiveRecording();
         write(recording, LINES.get(0));
         write(recording, LINES.get(1));
-        try (LiveServer server = LiveServer.start(null, 0, 1, "b", recording, PageExtras.NONE, 500_000_000);
-             PageTestBrowser browser = PageTestBrowser.start()) {
+        try (LiveServer server = LiveServer.start(null, 0, 1, "b", recording, PageExtras.NONE, 500_000_000)) {
             browser.go(server.address().toString());
             browser.await("a turn does not appear", () -> browser.is("steward.lastTurn() === 1"));
             signal("STOP");
@@ -103,8 +90,7 @@ class ViewersPageTest {
     void aPageOfALeagueIsToldThatAllPlacesAreTaken() throws IOException {
         byte[] page = LeaguePage.live("League", StatusServer.FEED);
         try (StatusServer server = StatusServer.start(null, 0, 1, page, path -> null);
-             Clients first = new Clients(server.address());
-             PageTestBrowser browser = PageTestBrowser.start()) {
+             Clients first = new Clients(server.address())) {
             server.show("""
                 {"scene":"duel","games":7,"repeats":0,"again":0,"without":0,"rate":2.5,"bots":[],"cross":[],\
                 "path":{"versions":[],"points":[]},"list":[]}""");
@@ -117,7 +103,6 @@ class ViewersPageTest {
                 return browser.text("#scene").contains("7 games of duel")
                     && browser.is("document.body.classList.contains('live')");
             });
-            assertEquals(List.of(), browser.complaints());
         }
     }
 }

@@ -16,7 +16,7 @@ import steward.bot.Bot;
 import steward.bot.TestBots;
 import steward.match.MatchResult;
 import steward.match.TestSize;
-import steward.minigame.PondMatches.Played;
+import steward.replay.Recorded;
 import steward.replay.verify.Verification;
 
 /** Whole matches of the pond through the referee, the bots in process, recorded, replayed and verified. */
@@ -27,16 +27,20 @@ class PondMatchTest {
         return List.of(new PondBot("cell"), new PondBot("hunter"), new PondBot("fog"));
     }
 
+    private static Verification verify(byte[] replay) {
+        return Recorded.verify(replay, MiniScenes.POND);
+    }
+
     /** In these matches everything that can happen does, and every one of them verifies. */
     @Test
     @Tag("sized")
-    void matchesVerifyAndEverythingHappens() throws InterruptedException {
+    void matchesVerifyAndEverythingHappens() {
         int matches = TestSize.of(6, 20);
         StringBuilder all = new StringBuilder();
         for (long seed = 1; seed <= matches; seed++) {
             List<PondBot> bots = bots();
-            Played played = PondMatches.play(PondMatches.changed(), seed, bots);
-            Verification verification = PondMatches.verify(played.replay());
+            Recorded played = Recorded.of(MiniScenes.pond(), seed, bots);
+            Verification verification = verify(played.bytes());
             assertTrue(verification.verified(), "seed " + seed + ": " + verification.difference());
             assertNull(verification.warning());
             assertEquals(played.result().turns(), verification.turns(), "seed " + seed);
@@ -57,16 +61,16 @@ class PondMatchTest {
     }
 
     @Test
-    void theSameSeedGivesTheSameBytes() throws InterruptedException {
-        Played one = PondMatches.play(PondMatches.changed(), 5, bots());
-        assertEquals(one.withoutTimes(), PondMatches.play(PondMatches.changed(), 5, bots()).withoutTimes());
+    void theSameSeedGivesTheSameBytes() {
+        assertEquals(Recorded.of(MiniScenes.pond(), 5, bots()).withoutTimes(),
+            Recorded.of(MiniScenes.pond(), 5, bots()).withoutTimes());
     }
 
     /** A player that pushes too hard in turn 4 is out with a reason, without a body; the others play on. */
     @Test
-    void aFaultTakesAPlayerOutAndTheOthersPlayOn() throws InterruptedException {
+    void aFaultTakesAPlayerOutAndTheOthersPlayOn() {
         Bot wild = TestBots.byTurn(turn -> "{\"push\":{\"x\":" + (turn == 4 ? 26 : 3) + ",\"y\":0}}");
-        Played played = PondMatches.play(PondMatches.changed(), 2,
+        Recorded played = Recorded.of(MiniScenes.pond(), 2,
             List.of(new PondBot("cell"), wild, new PondBot("cell")));
         MatchResult.PlayerResult out = played.result().players().get(1);
         assertTrue(out.fault().startsWith("push: found a length of 26.0, expected at most 25.0"), out.fault());
@@ -75,14 +79,14 @@ class PondMatchTest {
         assertTrue(played.result().turns() > 4);
         String fourth = played.text().lines().toList().get(4);
         assertTrue(fourth.contains("\"kind\":\"death\",\"time\":0,\"body\":1,"), fourth);
-        assertTrue(PondMatches.verify(played.replay()).verified());
+        assertTrue(verify(played.bytes()).verified());
     }
 
     /** Three players that never move: ranks 0, 0, 0 after the last turn. */
     @Test
-    void whoDoesNothingTies() throws InterruptedException {
+    void whoDoesNothingTies() {
         Bot idle = TestBots.answering(line -> "{\"push\":{\"x\":0,\"y\":0}}");
-        Played played = PondMatches.play(PondMatches.changed("\"bubbles\": 8, \"cells\": 6",
+        Recorded played = Recorded.of(MiniScenes.pond("\"bubbles\": 8, \"cells\": 6",
             "\"bubbles\": 0, \"cells\": 0", "\"fogs\": 3", "\"fogs\": 0"), 1, List.of(idle, idle, idle));
         assertEquals("at most 150 turns are played", played.result().ending());
         assertEquals(-1, played.result().winner());
@@ -94,14 +98,14 @@ class PondMatchTest {
 
     /** One digit of one command in the middle of the match. */
     @Test
-    void anEditedReplayDoesNotVerify() throws InterruptedException {
-        Played played = PondMatches.play(PondMatches.changed(), 3, bots());
+    void anEditedReplayDoesNotVerify() {
+        Recorded played = Recorded.of(MiniScenes.pond(), 3, bots());
         List<String> lines = played.text().lines().toList();
         String line = lines.get(20);
         int digit = line.indexOf("\"commands\":[{\"x\":") + 20;
         char other = line.charAt(digit) == '5' ? '6' : '5';
         String edited = played.text().replace(line, line.substring(0, digit) + other + line.substring(digit + 1));
-        Verification verification = PondMatches.verify(edited.getBytes(StandardCharsets.UTF_8));
+        Verification verification = verify(edited.getBytes(StandardCharsets.UTF_8));
         assertNotNull(verification.difference());
         assertEquals(20, verification.difference().turn());
     }

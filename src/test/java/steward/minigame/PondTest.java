@@ -24,7 +24,7 @@ class PondTest {
 
     /** A pond with its three hunters alone, none of them within 300 u of the middle; nothing loses speed. */
     private static Pond alone() {
-        return (Pond) PondMatches.changed("\"drag\": 0.05", "\"drag\": 0", "\"restitution\": 0.9", "\"restitution\": 1",
+        return (Pond) MiniScenes.pond("\"drag\": 0.05", "\"drag\": 0", "\"restitution\": 0.9", "\"restitution\": 1",
             "\"bubbles\": 8, \"cells\": 6", "\"bubbles\": 0, \"cells\": 0", "\"fogs\": 3", "\"fogs\": 0").create(1);
     }
 
@@ -180,11 +180,11 @@ class PondTest {
     @Test
     void aMisspeltFieldOfTheGamesOwnBlockIsLocated() {
         SceneException error = assertThrows(SceneException.class,
-            () -> PondMatches.changed("\"bubbles\"", "\"bubles\""));
+            () -> MiniScenes.pond("\"bubbles\"", "\"bubles\""));
         assertTrue(error.getMessage().startsWith("pond.json:11:") && error.getMessage().contains("pond.bubbles")
             && error.getMessage().contains("\"bubles\""), error.getMessage());
         SceneException wall = assertThrows(SceneException.class,
-            () -> PondMatches.changed("[ { \"type\": \"arena\", \"x\": 1200, \"y\": 1200, \"radius\": 1200, "
+            () -> MiniScenes.pond("[ { \"type\": \"arena\", \"x\": 1200, \"y\": 1200, \"radius\": 1200, "
                 + "\"restitution\": 0.9 } ]", "\"box\""));
         assertTrue(wall.getMessage().contains("no arena"), wall.getMessage());
     }

@@ -7,15 +7,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import steward.bot.Bot;
+import steward.bot.AlteredBot;
 import steward.bot.InProcessPlayer;
+import steward.bot.TestBots;
 import steward.match.MatchResult;
 import steward.match.Protocol;
 import steward.match.TestScenes;
@@ -33,41 +33,30 @@ class DecidedTurnTest {
     private static final String WAIT = "{\"wait\":true}";
 
     /** Waits with all its chips; in one turn it says nothing that is an answer. */
-    private static final class Waiting implements Bot {
-
-        private final List<String> sent = new ArrayList<>();
-        private final int failsIn;
-
-        Waiting(int failsIn) {
-            this.failsIn = failsIn;
-        }
-
-        @Override
-        public void setup(String line) {
-            // Nothing to prepare.
-        }
-
-        @Override
-        public String turn(String line) {
-            sent.add(line);
+    private static AlteredBot waiting(int failsIn) {
+        return new AlteredBot(TestBots.answering(line -> {
             String own = line.replaceFirst(".*\"own\":\\[([0-9,]*)\\].*", "$1");
-            return sent.size() == failsIn ? "no answer"
-                : "{\"chips\":[" + String.join(",", Collections.nCopies(own.split(",").length, WAIT)) + "]}";
-        }
+            return "{\"chips\":[" + String.join(",", Collections.nCopies(own.split(",").length, WAIT)) + "]}";
+        }), failsIn, answer -> "no answer");
+    }
+
+    /** Turns that it was sent: all but its setup and its end. */
+    private static int asked(AlteredBot bot) {
+        return (int) bot.sent().stream().filter(line -> line.startsWith("{\"type\":\"turn\"")).count();
     }
 
     /** A player per entry: the turn in which it fails, 0 for never. */
-    private static List<Waiting> bots(String failsIn) {
-        return numbers(failsIn).stream().map(Waiting::new).toList();
+    private static List<AlteredBot> bots(String failsIn) {
+        return numbers(failsIn).stream().map(DecidedTurnTest::waiting).toList();
     }
 
     private static List<Integer> numbers(String text) {
         return Arrays.stream(text.split(" ")).map(Integer::valueOf).toList();
     }
 
-    private static Recorded play(List<Waiting> bots) {
+    private static Recorded play(List<AlteredBot> bots) {
         return Recorded.of(TestScenes.changed("poker-chip-race", "\"players\": 2", "\"players\": " + bots.size()), SEED,
-            List.copyOf(bots));
+            bots);
     }
 
     private static RecordedMatch match(byte[] replay) {
@@ -78,10 +67,10 @@ class DecidedTurnTest {
     @ParameterizedTest
     @CsvSource({"3 0, 3 2", "0 3, 3 3", "3 3, 3 2", "3 4 0, 3 4 3", "4 4 0, 4 4 3", "0 4 4, 4 4 4", "4 0 4, 4 4 4"})
     void whoComesAfterTheDecidingFaultIsNotAsked(String failsIn, String asked) {
-        List<Waiting> bots = bots(failsIn);
+        List<AlteredBot> bots = bots(failsIn);
         Recorded game = play(bots);
 
-        assertEquals(numbers(asked), bots.stream().map(bot -> bot.sent.size()).toList());
+        assertEquals(numbers(asked), bots.stream().map(DecidedTurnTest::asked).toList());
         assertEquals(numbers(asked), game.result().players().stream().map(MatchResult.PlayerResult::answers).toList());
         int[] counted = new int[bots.size()];
         Verification found = Verification.of(Recorded.reader(game.bytes()), TestScenes.TYPES, counted);
@@ -108,13 +97,13 @@ class DecidedTurnTest {
     void whereABotTakesOverItIsNotAskedEither() {
         Recorded game = play(bots("3 0"));
         for (int from : new int[] {1, 3}) {
-            Waiting again = new Waiting(0);
+            AlteredBot again = waiting(0);
             ByteArrayOutputStream written = new ByteArrayOutputStream();
             Takeover.Outcome outcome = new Takeover(match(game.bytes()), TestScenes.TYPES, 1, Protocol.JSON,
                 new InProcessPlayer("P1", again), from, "./new", written).run(turn -> { }, fed -> { });
             assertEquals(3, outcome.turns());
             assertNotNull(outcome.result(), outcome::reason);
-            assertEquals(2, again.sent.size());
+            assertEquals(2, asked(again));
             assertEquals(Recorded.whole(3), Recorded.verify(written.toByteArray()));
         }
     }
@@ -122,18 +111,18 @@ class DecidedTurnTest {
     @Test
     void whereABotTakesOverFromTheOneThatFailedTheOtherHasNoCommand() {
         Takeover.Outcome outcome = new Takeover(match(play(bots("3 0")).bytes()), TestScenes.TYPES, 0, Protocol.JSON,
-            new InProcessPlayer("P0", new Waiting(0)), 2, "./new", new ByteArrayOutputStream())
+            new InProcessPlayer("P0", waiting(0)), 2, "./new", new ByteArrayOutputStream())
             .run(turn -> { }, fed -> { });
         assertEquals("of P1 no command was recorded in turn 3", outcome.reason());
     }
 
     @Test
     void aBotThatIsFedTheGameIsNotSentTheTurn() {
-        Waiting again = new Waiting(0);
+        AlteredBot again = waiting(0);
         Feed.Ending ending = new Feed(match(play(bots("3 0")).bytes()), TestScenes.TYPES, 1, Protocol.JSON,
             new InProcessPlayer("P1", again)).run(9, turn -> { }, fed -> assertTrue(fed.same()));
         assertEquals(Feed.Ending.WHOLE, ending);
-        assertEquals(2, again.sent.size());
+        assertEquals(2, asked(again));
     }
 
     @Test

@@ -9,6 +9,7 @@ import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
 import steward.bot.Player;
 import steward.game.GameSetup;
+import steward.game.GameTypes;
 import steward.match.MatchResult;
 import steward.match.Referee;
 import steward.match.SeededBot;
@@ -42,12 +43,12 @@ public record Recorded(byte[] bytes, MatchResult result) {
     }
 
     /** Given bots play a scene. */
-    public static Recorded of(GameSetup setup, long seed, List<Bot> bots) {
+    public static Recorded of(GameSetup setup, long seed, List<? extends Bot> bots) {
         return of(setup, seed, bots, null);
     }
 
     /** Records a match that is signed. */
-    public static Recorded of(GameSetup setup, long seed, List<Bot> bots, SigningKey key) {
+    public static Recorded of(GameSetup setup, long seed, List<? extends Bot> bots, SigningKey key) {
         List<Player> players = new ArrayList<>();
         List<String> names = new ArrayList<>();
         for (Bot bot : bots) {
@@ -105,8 +106,12 @@ public record Recorded(byte[] bytes, MatchResult result) {
     }
 
     public static Verification verify(byte[] replay) {
+        return verify(replay, TestScenes.TYPES);
+    }
+
+    public static Verification verify(byte[] replay, GameTypes types) {
         try (ReplayReader reader = reader(replay)) {
-            return Verification.of(reader, TestScenes.TYPES);
+            return Verification.of(reader, types);
         }
     }
 

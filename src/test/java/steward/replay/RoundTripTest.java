@@ -16,6 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import steward.bot.AlteredBot;
 import steward.bot.Bot;
 import steward.bot.TestBots;
 import steward.game.GameSetup;
@@ -66,20 +67,7 @@ class RoundTripTest {
     @Test
     void aPlayerThatNeverAnswersWellAndOneThatStopsAnswering() {
         Bot wrong = TestBots.answering(line -> "half: \uD83D, whole: \uD83D\uDE00, \"quoted\"");
-        Bot stops = new Bot() {
-            private final SeededBot bot = new SeededBot(1, 0);
-            private int turns;
-
-            @Override
-            public void setup(String line) {
-                bot.setup(line);
-            }
-
-            @Override
-            public String turn(String line) {
-                return ++turns < 8 ? bot.turn(line) : null;
-            }
-        };
+        Bot stops = new AlteredBot(new SeededBot(1, 0), 8, answer -> null);
         Recorded match = Recorded.of(TestScenes.duel(3), 1, List.of(wrong, stops, new SeededBot(2, 0)));
 
         assertEquals(Recorded.whole(8), match.verify());

@@ -12,21 +12,14 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.cli.Cli;
-import steward.replay.page.PageTestBrowser;
+import steward.replay.page.PageTestCase;
 import steward.replay.page.PageTestRaces;
 
 /** Two replays side by side in a real browser: one clock, what differs, and pairs that do not belong together. */
-@Tag("browser")
 @Tag("slow")
 @Timeout(300)
-@ResourceLock(PageTestBrowser.LOCK)
-class BesidePageTest {
-
-    @TempDir
-    private Path folder;
+class BesidePageTest extends PageTestCase {
 
     private Path one;
     private List<String> lines;
@@ -54,12 +47,10 @@ class BesidePageTest {
         int last = lines.size() - 1;
         lines.set(last, lines.get(last).replaceFirst("\"ending\":\"[^\"]*\"", "\"ending\":\"crashed\""));
         assertTrue(beside(other(lines)).out().endsWith("No turn of both differs; the results differ\n"));
-        try (PageTestBrowser browser = PageTestBrowser.start()) {
-            browser.open(folder.resolve("both.html"), "#t=4.00");
-            browser.run("steward.seek(1e9)");
-            assertTrue(browser.text("#h-differs").contains(": 1 difference"), browser.text("#h-differs"));
-            assertTrue(browser.text("#differs").contains("crashed"), browser.text("#differs"));
-        }
+        browser.open(folder.resolve("both.html"), "#t=4.00");
+        browser.run("steward.seek(1e9)");
+        assertTrue(browser.text("#h-differs").contains(": 1 difference"), browser.text("#h-differs"));
+        assertTrue(browser.text("#differs").contains("crashed"), browser.text("#differs"));
     }
 
     /** Another thrust and another state in turn 5, and an end four turns earlier than the first match's. */
@@ -72,27 +63,24 @@ class BesidePageTest {
         assertEquals(0, cli.status(), cli.err());
         assertTrue(cli.out().contains("The first turn that differs: 5; " + folder + "/other.jsonl ends after turn "
             + (turns - 4)), cli.out());
-        try (PageTestBrowser browser = PageTestBrowser.start()) {
-            browser.open(folder.resolve("both.html"), "#t=4.00");
-            assertEquals("Turn 4: no difference · first turn that differs: 5", browser.text("#h-differs"));
-            browser.click("#first");
-            assertEquals(5, browser.number("steward.matches[0].time()"));
-            assertEquals(5, browser.number("steward.matches[1].time()"));
-            String differences = browser.text("#differs");
-            assertTrue(differences.contains("command") && differences.contains("thrust 77"), differences);
-            assertTrue(differences.contains(": vx") && differences.contains("4321"), differences);
-            assertEquals(2, differences.lines().count(), differences);
-            browser.run("steward.seek(1e9)");
-            assertEquals(turns, browser.number("steward.matches[0].time()"));
-            assertEquals(turns - 4, browser.number("steward.matches[1].time()"));
-            assertTrue(browser.text("#h-differs").endsWith("one match is over"), browser.text("#h-differs"));
-            for (int width : new int[] {390, 1280}) {
-                browser.size(width, 800);
-                assertTrue(browser.is("document.documentElement.scrollWidth <= innerWidth"), "wider than " + width);
-            }
-            assertEquals(List.of(), browser.requests(), "nothing is asked of a network");
-            assertEquals(List.of(), browser.complaints());
+        browser.open(folder.resolve("both.html"), "#t=4.00");
+        assertEquals("Turn 4: no difference · first turn that differs: 5", browser.text("#h-differs"));
+        browser.click("#first");
+        assertEquals(5, browser.number("steward.matches[0].time()"));
+        assertEquals(5, browser.number("steward.matches[1].time()"));
+        String differences = browser.text("#differs");
+        assertTrue(differences.contains("command") && differences.contains("thrust 77"), differences);
+        assertTrue(differences.contains(": vx") && differences.contains("4321"), differences);
+        assertEquals(2, differences.lines().count(), differences);
+        browser.run("steward.seek(1e9)");
+        assertEquals(turns, browser.number("steward.matches[0].time()"));
+        assertEquals(turns - 4, browser.number("steward.matches[1].time()"));
+        assertTrue(browser.text("#h-differs").endsWith("one match is over"), browser.text("#h-differs"));
+        for (int width : new int[] {390, 1280}) {
+            browser.size(width, 800);
+            assertTrue(browser.is("document.documentElement.scrollWidth <= innerWidth"), "wider than " + width);
         }
+        assertEquals(List.of(), browser.requests(), "nothing is asked of a network");
     }
 
     @Test

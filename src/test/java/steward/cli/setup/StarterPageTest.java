@@ -11,10 +11,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.junit.jupiter.api.parallel.ResourceLock;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -22,19 +18,13 @@ import steward.bot.command.ProgramFinder;
 import steward.cli.Cli;
 import steward.match.Protocol;
 import steward.match.TestScenes;
-import steward.replay.page.PageTestBrowser;
+import steward.replay.page.PageTestCase;
 import steward.scene.SceneFiles;
 
 /** The page of a match of the starter in Python against itself, in every game and protocol. */
-@Tag("browser")
 @Tag("process")
 @Tag("campaign")
-@Execution(ExecutionMode.CONCURRENT)
-@ResourceLock(PageTestBrowser.LOCK)
-class StarterPageTest {
-
-    @TempDir
-    private Path folder;
+class StarterPageTest extends PageTestCase {
 
     /** Each scene whose name is that of its game, and the first of the pod races, in both protocols. */
     static Stream<Arguments> protocolsAndScenes() {
@@ -51,25 +41,22 @@ class StarterPageTest {
     @MethodSource("protocolsAndScenes")
     void itsMatchIsShown(Protocol spoken, String scene) throws IOException {
         assumeTrue(ProgramFinder.find("python3") != null, "there is no python3");
-        Path place = folder.resolve("bot");
+        Path place = folder.resolve(spoken + "-" + scene);
         Cli made = Cli.run("new", "python", place.toString(), "--game", gameOf(scene), "--protocol", spoken.word());
         assertEquals(0, made.status(), made.err());
-        Path page = folder.resolve("page.html");
+        Path page = place.resolve("page.html");
         String brief = TestScenes.text(scene).replaceFirst("\"maximumTurns\": \\d+", "\"maximumTurns\": 12");
         List<String> match = new ArrayList<>(List.of("match", "--scene",
-            Files.writeString(folder.resolve("brief.json"), brief).toString(), "--view", page.toString(),
+            Files.writeString(place.resolve("brief.json"), brief).toString(), "--view", page.toString(),
             "--time-factor", "30"));
         for (int player = 0; player < TestScenes.open(scene).scene().players(); player++) {
             match.addAll(List.of("--bot", "p" + player + "=" + StarterLanguage.PYTHON.bot(spoken)
                 .replace("bot.", place + "/bot.")));
         }
         Cli.run(match.toArray(String[]::new)).done();
-        try (PageTestBrowser browser = PageTestBrowser.start()) {
-            browser.open(page, "#t=3.5");
-            assertTrue(browser.is("document.getElementById('notice').hidden"), browser.text("#notice"));
-            assertTrue(browser.number("steward.bodies().length") > 0);
-            browser.draw(0, browser.number("steward.lastTurn()"), 0.7);
-            assertEquals(List.of(), browser.complaints());
-        }
+        browser.open(page, "#t=3.5");
+        assertTrue(browser.is("document.getElementById('notice').hidden"), browser.text("#notice"));
+        assertTrue(browser.number("steward.bodies().length") > 0);
+        browser.draw(0, browser.number("steward.lastTurn()"), 0.7);
     }
 }

@@ -24,8 +24,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
+import steward.bot.TestBots;
 import steward.bot.command.ProgramFinder;
 import steward.bot.isolation.Isolation;
 import steward.cli.ShellBots;
@@ -128,7 +128,7 @@ class TranscriptTest {
     @Test
     void whoWasNotAskedAfterTheDecidingFaultHasNoTime() throws Exception {
         PlayedGame game = PlayedGame.of(PlayedGame.piloted("poker-chip-race", Pilot.Aim.WIN).startedBy(
-            (entrant, isolation, others) -> new InProcessPlayer(entrant.name(), new Speechless())), SEED);
+            (entrant, isolation, others) -> new InProcessPlayer(entrant.name(), TestBots.answering(line -> ""))), SEED);
         assertEquals(List.of(1, 0), game.check().seats().stream().map(CheckedGame.Seat::answers).toList());
         assertArrayEquals(game.replay(), new TranscriptCheck(game.contest()).replay("a game", game.transcript(),
             game.expected()));
@@ -141,20 +141,6 @@ class TranscriptTest {
             .replaceFirst("(\"answerNanos\":\\[[0-9]+)", "$1,5").getBytes(StandardCharsets.UTF_8));
         assertEquals(List.of(1, 1), new TranscriptCheck(game.contest()).check("a game", older, game.expected()).seats()
             .stream().map(CheckedGame.Seat::answers).toList());
-    }
-
-    /** A bot whose answers are none. */
-    private static final class Speechless implements Bot {
-
-        @Override
-        public void setup(String line) {
-            // Nothing to prepare.
-        }
-
-        @Override
-        public String turn(String line) {
-            return "";
-        }
     }
 
     @Test

@@ -6,11 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
@@ -22,11 +18,11 @@ import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
 import steward.game.Pilot;
+import steward.minigame.MiniScenes;
 import steward.numerics.SplitMix64;
 import steward.replay.Recorded;
-import steward.replay.page.PageExtras;
 import steward.replay.page.PageTestBrowser;
-import steward.replay.page.ReplayPage;
+import steward.replay.page.PageTestPages;
 import steward.replay.verify.Verification;
 import steward.scene.json.SceneException;
 import tools.jackson.databind.JsonNode;
@@ -40,18 +36,8 @@ class AirHockeyTest {
     @TempDir
     static Path folder;
 
-    private static GameSetup open(String from, String to) {
-        try (InputStream in = AirHockeyTest.class.getResourceAsStream("/minigame/airhockey.json")) {
-            String text = new String(in.readAllBytes(), StandardCharsets.UTF_8);
-            assertTrue(text.contains(from), from);
-            return TYPES.open(text.replace(from, to), "airhockey.json");
-        } catch (IOException problem) {
-            throw new AssertionError(problem);
-        }
-    }
-
-    private static GameSetup open() {
-        return open("", "");
+    private static GameSetup open(String... fromTo) {
+        return MiniScenes.open(TYPES, "airhockey.json", fromTo);
     }
 
     /** Pushes its paddle at the puck; in one turn it says something else. */
@@ -81,16 +67,12 @@ class AirHockeyTest {
         return Recorded.of(open(), seed, List.of(chaser(0, 0, ""), chaser(1, 0, "")));
     }
 
-    private static Verification verify(byte[] replay) {
-        return Verification.of(Recorded.reader(replay), TYPES);
-    }
-
     @Test
     void matchesWithGoalsVerifyAndTheSameSeedGivesTheSameBytes() {
         int goals = 0;
         for (long seed = 1; seed <= 10; seed++) {
             Recorded match = match(seed);
-            Verification found = verify(match.bytes());
+            Verification found = Recorded.verify(match.bytes(), TYPES);
             assertTrue(found.verified(), "seed " + seed + ": " + found.difference());
             assertFalse(match.result().anyFault(), "seed " + seed + ": " + match.result());
             assertEquals(match.withoutTimes(), match(seed).withoutTimes(), "seed " + seed);
@@ -105,7 +87,8 @@ class AirHockeyTest {
         String line = match.lines().get(5);
         String changed = line.replaceFirst("\"commands\":\\[\\{\"x\":[-0-9.]+", "\"commands\":[{\"x\":1");
         assertFalse(line.equals(changed), line);
-        Verification found = verify(match.text().replace(line, changed).getBytes(StandardCharsets.UTF_8));
+        Verification found = Recorded.verify(
+            match.text().replace(line, changed).getBytes(StandardCharsets.UTF_8), TYPES);
         assertEquals(5, found.difference().turn());
     }
 
@@ -150,7 +133,7 @@ class AirHockeyTest {
             Recorded match = Recorded.of(open(), 2, List.of(chaser(0, 0, ""), chaser(1, 5, fault[0])));
             assertTrue(match.result().players().get(1).fault().startsWith(fault[1]), match.result().toString());
             assertEquals(0, match.result().winner());
-            assertTrue(verify(match.bytes()).verified());
+            assertTrue(Recorded.verify(match.bytes(), TYPES).verified());
         }
     }
 
@@ -160,25 +143,15 @@ class AirHockeyTest {
         assertTrue(problem.startsWith("airhockey.json:17:") && problem.contains("\"gaol\""), problem);
     }
 
-    private static Path page() throws IOException {
-        ByteArrayOutputStream html = new ByteArrayOutputStream();
-        ReplayPage.write(match(7).bytes(), "r.jsonl", html, "Air hockey", PageExtras.NONE);
-        return Files.write(folder.resolve("page.html"), html.toByteArray());
-    }
-
-    @Test
-    void thePageIsWritten() throws IOException {
-        assertTrue(Files.readString(page()).contains("<title>Air hockey"));
-    }
-
     @Test
     @Tag("browser")
     @ResourceLock(PageTestBrowser.LOCK)
-    void thePageDrawsEveryTurn() throws IOException {
-        Path page = page();
+    void thePageDrawsEveryTurn() {
+        Path page = new PageTestPages(folder).page(match(7).bytes(), "Air hockey");
         try (PageTestBrowser browser = PageTestBrowser.start()) {
             browser.open(page, "");
             browser.run("steward.pause()");
+            assertEquals("Air hockey", browser.text("h1"));
             browser.draw(0, 100, 2.5);
             assertEquals(List.of(), browser.complaints());
         }

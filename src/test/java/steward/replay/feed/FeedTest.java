@@ -11,11 +11,11 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import steward.bot.AlteredBot;
 import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
 import steward.codingame.recording.OfficialGame;
@@ -40,45 +40,6 @@ class FeedTest {
         return new SeededBot(31 * SEED + player, RAMMING);
     }
 
-    /** Plays like another, but for some answers; keeps what it is sent. */
-    static class Altered implements Bot {
-
-        private final Bot like;
-        private final int turn;
-        private final UnaryOperator<String> change;
-        private final List<String> sent = new ArrayList<>();
-        private int asked;
-
-        /** @param turn in which the answer is changed, counted from the first that is asked */
-        Altered(Bot like, int turn, UnaryOperator<String> change) {
-            this.like = like;
-            this.turn = turn;
-            this.change = change;
-        }
-
-        List<String> sent() {
-            return sent;
-        }
-
-        @Override
-        public void setup(String line) {
-            sent.add(line);
-            like.setup(line);
-        }
-
-        @Override
-        public String turn(String line) {
-            sent.add(line);
-            String answer = like.turn(line);
-            return ++asked == turn ? change.apply(answer) : answer;
-        }
-
-        @Override
-        public void end(String line) {
-            sent.add(line);
-        }
-    }
-
     private final List<FedTurn> fed = new ArrayList<>();
 
     private static RecordedMatch match(byte[] replay) {
@@ -100,9 +61,9 @@ class FeedTest {
     @ParameterizedTest
     @CsvSource({"mad-pod-racing, 0", "mad-pod-racing, 1", "walled-race, 1", "duel, 0"})
     void theSameBotIsSentTheSameAndDoesTheSame(String scene, int player) {
-        List<Altered> players = List.of(new Altered(seeded(0), 0, null), new Altered(seeded(1), 0, null));
+        List<AlteredBot> players = List.of(new AlteredBot(seeded(0), 0, null), new AlteredBot(seeded(1), 0, null));
         Recorded recorded = Recorded.of(TestScenes.open(scene), SEED, List.copyOf(players));
-        Altered again = new Altered(seeded(player), 0, null);
+        AlteredBot again = new AlteredBot(seeded(player), 0, null);
         assertEquals(Feed.Ending.WHOLE, feed(recorded.bytes(), player, again, Integer.MAX_VALUE));
         assertEquals(recorded.result().turns(), fed.size());
         assertEquals(List.of(), differing());
@@ -113,7 +74,7 @@ class FeedTest {
     @Test
     void whatDiffersIsNamedWithItsField() {
         Recorded recorded = Recorded.of("mad-pod-racing", SEED);
-        Bot other = new Altered(seeded(0), 5, answer -> answer.replaceAll("\"pods\":\\[\\{\"x\":([-0-9.]+),",
+        Bot other = new AlteredBot(seeded(0), 5, answer -> answer.replaceAll("\"pods\":\\[\\{\"x\":([-0-9.]+),",
             "\"pods\":[{\"x\":1234.5,").replaceFirst("\"y\":[-0-9.]+", "\"y\":-7"));
         assertEquals(Feed.Ending.WHOLE, feed(recorded.bytes(), 0, other, Integer.MAX_VALUE));
         assertEquals(List.of(5), differing());
@@ -127,12 +88,12 @@ class FeedTest {
     @Test
     void itStopsWhereItIsToldAndSaysNoEnd() {
         Recorded recorded = Recorded.of("duel", SEED);
-        Altered bot = new Altered(seeded(1), 0, null);
+        AlteredBot bot = new AlteredBot(seeded(1), 0, null);
         assertEquals(Feed.Ending.STOPPED, feed(recorded.bytes(), 1, bot, 7));
         assertEquals(7, fed.size());
         assertEquals(8, bot.sent().size());
         int last = recorded.result().turns();
-        Altered all = new Altered(seeded(1), 0, null);
+        AlteredBot all = new AlteredBot(seeded(1), 0, null);
         assertEquals(Feed.Ending.STOPPED, feed(recorded.bytes(), 1, all, last));
         assertEquals(1 + last, all.sent().size(), "no end while it is held");
     }
@@ -141,7 +102,7 @@ class FeedTest {
     void anAnswerThatIsNoneDiffersAndFeedingGoesOn() {
         Recorded recorded = Recorded.of("duel", SEED);
         assertEquals(Feed.Ending.WHOLE,
-            feed(recorded.bytes(), 0, new Altered(seeded(0), 3, answer -> "nonsense"), Integer.MAX_VALUE));
+            feed(recorded.bytes(), 0, new AlteredBot(seeded(0), 3, answer -> "nonsense"), Integer.MAX_VALUE));
         assertEquals(List.of(3), differing());
         assertTrue(fed.get(2).fault().endsWith("; received: nonsense"), fed.get(2).fault());
         assertEquals(recorded.result().turns(), fed.size());
@@ -150,7 +111,7 @@ class FeedTest {
     @Test
     void aBotThatIsGoneIsAskedNoMore() {
         Recorded recorded = Recorded.of("duel", SEED);
-        Bot gone = new Altered(seeded(0), 3, answer -> null);
+        Bot gone = new AlteredBot(seeded(0), 3, answer -> null);
         assertEquals(Feed.Ending.BOT_GONE, feed(recorded.bytes(), 0, gone, Integer.MAX_VALUE));
         assertEquals(3, fed.size());
         assertEquals("answered null", fed.get(2).fault());
@@ -158,14 +119,14 @@ class FeedTest {
 
     @Test
     void aRecordedFailureIsComparedToo() {
-        Bot failing = new Altered(seeded(1), 9, answer -> "nonsense");
+        Bot failing = new AlteredBot(seeded(1), 9, answer -> "nonsense");
         Recorded recorded = Recorded.of(TestScenes.open("duel"), SEED, List.of(seeded(0), failing));
         assertEquals(Feed.Ending.WHOLE, feed(recorded.bytes(), 1, seeded(1), Integer.MAX_VALUE));
         assertEquals(List.of(9), differing());
         assertTrue(fed.get(8).recordedFault().endsWith("received: nonsense"), fed.get(8).recordedFault());
         assertNull(fed.get(8).fault());
         assertEquals(9, fed.size());
-        Altered again = new Altered(seeded(1), 9, answer -> "nonsense");
+        AlteredBot again = new AlteredBot(seeded(1), 9, answer -> "nonsense");
         feed(recorded.bytes(), 1, again, Integer.MAX_VALUE);
         assertEquals(List.of(), differing());
         assertEquals(10, again.sent().size(), "a player who failed is told nothing more");
@@ -175,7 +136,7 @@ class FeedTest {
     void aCutReplayIsFedUpToTheCut() {
         byte[] whole = Recorded.of("duel", SEED).bytes();
         byte[] half = Arrays.copyOf(whole, whole.length / 2);
-        Altered bot = new Altered(seeded(0), 0, null);
+        AlteredBot bot = new AlteredBot(seeded(0), 0, null);
         assertEquals(Feed.Ending.WHOLE, feed(half, 0, bot, Integer.MAX_VALUE));
         assertEquals(match(half).turns().size(), fed.size());
         assertFalse(bot.sent().get(bot.sent().size() - 1).contains("\"type\":\"end\""));

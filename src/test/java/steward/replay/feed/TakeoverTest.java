@@ -11,8 +11,10 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import steward.bot.AlteredBot;
 import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
+import steward.bot.TestBots;
 import steward.game.GameSetup;
 import steward.match.Protocol;
 import steward.match.SeededBot;
@@ -93,12 +95,7 @@ class TakeoverTest {
     /** The other one wins in turn 51 by the recording, but now there is an opponent. */
     @Test
     void aMatchThatGoesOnLongerThanTheRecordingHasNoResult() {
-        Bot idle = new FeedTest.Altered(seeded(1), 0, null) {
-            @Override
-            public String turn(String line) {
-                return "{\"pods\":[{\"x\":0,\"y\":0,\"thrust\":0}]}";
-            }
-        };
+        Bot idle = TestBots.answering(line -> "{\"pods\":[{\"x\":0,\"y\":0,\"thrust\":0}]}");
         Recorded recorded = Recorded.of(TestScenes.open("duel"), SEED, List.of(new SeededBot(1, 0), idle));
         assertEquals(51, recorded.result().turns());
         Takeover.Outcome outcome = play(recorded, 1, 1, new SeededBot(2, 0));
@@ -113,7 +110,7 @@ class TakeoverTest {
 
     @Test
     void anOpponentWhoFailedThenFailsAgain() {
-        Bot failing = new FeedTest.Altered(seeded(1), 9, answer -> "nonsense");
+        Bot failing = new AlteredBot(seeded(1), 9, answer -> "nonsense");
         Recorded recorded = Recorded.of(TestScenes.open("duel"), SEED, List.of(seeded(0), failing));
         Takeover.Outcome outcome = play(recorded, 0, 5, seeded(0));
         assertNotNull(outcome.result());
@@ -126,7 +123,7 @@ class TakeoverTest {
     @Test
     void aBotThatFailsIsOutAndTheOtherWins() {
         Recorded recorded = Recorded.of("duel", SEED);
-        Bot failing = new FeedTest.Altered(seeded(0), 12, answer -> "nonsense");
+        Bot failing = new AlteredBot(seeded(0), 12, answer -> "nonsense");
         Takeover.Outcome outcome = play(recorded, 0, 10, failing);
         assertNotNull(outcome.result());
         assertEquals(12, outcome.turns());
@@ -138,7 +135,7 @@ class TakeoverTest {
     @Test
     void aBotThatIsGoneBeforeItsTurnPlaysNothing() {
         Recorded recorded = Recorded.of("duel", SEED);
-        Bot gone = new FeedTest.Altered(seeded(0), 3, answer -> null);
+        Bot gone = new AlteredBot(seeded(0), 3, answer -> null);
         Takeover.Outcome outcome = play(recorded, 0, 10, gone);
         assertEquals("the bot has ended before turn 10", outcome.reason());
         assertEquals(2, outcome.turns());
@@ -149,12 +146,7 @@ class TakeoverTest {
     @Test
     void amongThreeTheMatchGoesOnWhenOneIsOut() {
         GameSetup three = TestScenes.duel(3);
-        Bot idle = new FeedTest.Altered(seeded(1), 0, null) {
-            @Override
-            public String turn(String line) {
-                return "{\"pods\":[{\"x\":0,\"y\":0,\"thrust\":0}]}";
-            }
-        };
+        Bot idle = TestBots.answering(line -> "{\"pods\":[{\"x\":0,\"y\":0,\"thrust\":0}]}");
         Recorded recorded = Recorded.of(three, SEED, List.of(seeded(0), idle, seeded(2)));
         assertTrue(recorded.result().turns() > 50, recorded.result()::ending);
         Takeover.Outcome outcome = play(recorded, 0, 30, seeded(0));

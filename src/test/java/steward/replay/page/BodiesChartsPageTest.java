@@ -5,24 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Set;
-import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.cli.Cli;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /** The page of a break: its charts have the numbers of {@code steward run}, and a ball in a pocket is gone. */
-@Tag("browser")
 @Tag("slow")
-@Execution(ExecutionMode.CONCURRENT)
-@ResourceLock(PageTestBrowser.LOCK)
-class BodiesChartsPageTest {
+class BodiesChartsPageTest extends PageTestCase {
 
     private static final String CHARTS = """
         const text = element => element?.textContent ?? '';
@@ -36,18 +27,6 @@ class BodiesChartsPageTest {
         "Momentum", new String[] {"momentumX", "momentumY"}, "Angular momentum", new String[] {"angularMomentum"},
         "Temperature", new String[] {"temperature"}, "Pressure", new String[] {"pressureWalls", "pressureVirial"},
         "Impacts", new String[] {"impacts"});
-
-    @TempDir
-    static Path folder;
-
-    @AutoClose
-    private static PageTestBrowser browser;
-
-    @BeforeAll
-    static void start() {
-        browser = PageTestBrowser.start();
-        browser.prefer(true, true);
-    }
 
     /** Whole numbers above 100, at least two decimals below. */
     @Test

@@ -3,16 +3,9 @@ package steward.replay.page;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.bots.BundledBots;
 import steward.bots.meanmax.Gatherer;
 import steward.bots.meanmax.Marauder;
@@ -21,34 +14,15 @@ import steward.match.TestScenes;
 import steward.replay.Recorded;
 
 /** The camera at rest: what matters of a match is in view, whatever happens, and no number covers a unit. */
-@Tag("browser")
 @Tag("slow")
-@Execution(ExecutionMode.CONCURRENT)
-@ResourceLock(PageTestBrowser.LOCK)
-class CameraPageTest {
-
-    private static final int WIDTH = 1280;
-    private static final int HEIGHT = 720;
-
-    @TempDir
-    static Path folder;
-
-    @AutoClose
-    private static PageTestBrowser browser;
-
-    @BeforeAll
-    static void start() {
-        browser = PageTestBrowser.start();
-        browser.size(WIDTH, HEIGHT);
-        browser.prefer(true, true);
-    }
+class CameraPageTest extends PageTestCase {
 
     /** Bots that ram each other throw their pods out of the field; seen at moments in and between turns. */
     @Test
     void aPodThatLeavesTheFieldStaysInViewAndIsNotUnderTheScores() {
         byte[] race = Recorded.of(TestScenes.open("mad-pod-racing"), 5,
             List.of(new SeededBot(1, 0.9), new SeededBot(2, 0.9))).bytes();
-        browser.open(new PageTestPages(folder).page(race, "Ramming"), "#t=0");
+        browser.open(pages.page(race, "Ramming"), "#t=0");
         String found = (String) browser.run("""
             const canvas = document.getElementById('field').getBoundingClientRect();
             const top = document.getElementById('scores').getBoundingClientRect().bottom;
@@ -73,7 +47,7 @@ class CameraPageTest {
     void theArenaOfMeanMaxUsesTheHeightAndNoNumberCoversAUnit() {
         byte[] match = Recorded.of(TestScenes.open("mean-max"), 7, List.of(BundledBots.of(new Marauder()),
             BundledBots.of(new Gatherer()), BundledBots.of(new Gatherer()))).bytes();
-        browser.open(new PageTestPages(folder).page(match, "Mean Max"), "#t=0");
+        browser.open(pages.page(match, "Mean Max"), "#t=0");
         double share = browser.number("""
             (() => {
               const field = steward.field();
@@ -105,7 +79,7 @@ class CameraPageTest {
     /** A body without bounds: it goes farther than the view reaches, and an arrow at the edge says where. */
     @Test
     void whoIsFarAwayIsPointedAt() {
-        browser.open(new PageTestPages(folder).live("Made up"), "");
+        browser.open(pages.live("Made up"), "");
         browser.run("arguments[0].forEach(line => steward.addTurn(line))", List.of("""
             {"type":"steward-replay","format":3,"game":"made-up","seed":"1","players":[{"name":"a"}],
              "drawing":{"field":{"x":0,"y":0,"width":100,"height":100},

@@ -7,14 +7,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.junit.jupiter.api.parallel.ResourceLock;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -31,29 +25,14 @@ import steward.scene.SceneFiles;
 import tools.jackson.databind.JsonNode;
 
 /** The page of a match of every shipped scene, as the program writes it: every body is seen where its state says. */
-@Tag("browser")
 @Tag("slow")
-@Execution(ExecutionMode.CONCURRENT)
-@ResourceLock(PageTestBrowser.LOCK)
-class EveryScenePageTest {
+class EveryScenePageTest extends PageTestCase {
 
     /** Turns that are played: enough to move and to meet. */
     private static final String BRIEF = "12";
     /** Shares of a body's pixels that it must have drawn, and that must have its colour: a hull is not all of it. */
     private static final double DRAWN = 0.3;
     private static final double COLOURED = 0.05;
-
-    @TempDir
-    static Path folder;
-
-    @AutoClose
-    private static PageTestBrowser browser;
-
-    @BeforeAll
-    static void start() {
-        browser = PageTestBrowser.start();
-        browser.prefer(true, true);
-    }
 
     static Stream<String> scenes() {
         return SceneFiles.shipped().stream();
@@ -76,10 +55,9 @@ class EveryScenePageTest {
         String text = TestScenes.text(name).replaceFirst("\"maximumTurns\": \\d+", "\"maximumTurns\": " + BRIEF);
         GameSetup setup = TestScenes.TYPES.open(text, name);
         Recorded match = Recorded.of(setup, 7, bots(setup.scene().gameId(), setup.scene().players()));
-        Path page = new PageTestPages(folder).page(match.bytes(), name, PageExtras.of(TestScenes.TYPES));
+        Path page = pages.page(match.bytes(), name, PageExtras.of(TestScenes.TYPES));
         List<JsonNode> lines = PageTestRaces.lines(match.bytes());
         browser.open(page, "#t=0");
-        assertEquals(List.of(), browser.complaints());
         assertEquals("", browser.text("#notice"));
         browser.run("document.querySelectorAll('[data-show]:checked').forEach(box => box.click())");
         for (int turn : new int[] {0, lines.size() / 2, lines.size() - 2}) {
@@ -93,7 +71,7 @@ class EveryScenePageTest {
     @Test
     void ballsHaveTheColourOfTheirSpeedAndTheTimelineTheirEnergy() {
         byte[] match = Recorded.of(TestScenes.open("cradle"), 7, List.of()).bytes();
-        browser.open(new PageTestPages(folder).page(match, "Cradle"), "#t=9.5");
+        browser.open(pages.page(match, "Cradle"), "#t=9.5");
         assertEquals("2 true true true", browser.run("""
             const canvas = document.getElementById('field');
             const { left, top } = canvas.getBoundingClientRect();

@@ -1,17 +1,9 @@
 package steward.replay.page;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.bot.Bot;
 import steward.bots.BundledBots;
 import steward.bots.fantasticbits.Captain;
@@ -24,25 +16,12 @@ import steward.replay.Recorded;
 import steward.text.TextFormat;
 
 /** The looks of games in a real browser: every turn is drawn without a complaint, and what a player has is told. */
-@Tag("browser")
-@Execution(ExecutionMode.CONCURRENT)
-@ResourceLock(PageTestBrowser.LOCK)
-class GamePagesTest {
-
-    @TempDir
-    private Path folder;
-
-    @AutoClose
-    private PageTestBrowser browser;
+class GamePagesTest extends PageTestCase {
 
     /** Draws every turn, and goes back to the first. */
     private Recorded drawn(String scene, double from, double step, Bot... bots) {
         Recorded match = Recorded.of(TestScenes.open(scene), 7, List.of(bots));
-        browser = PageTestBrowser.start();
-        browser.size(1280, 720);
-        browser.prefer(true, false);
-        browser.open(new PageTestPages(folder).page(match.bytes(), scene), "");
-        browser.run("steward.pause()");
+        browser.open(pages.page(match.bytes(), scene), "");
         browser.draw(from, match.result().turns(), step);
         browser.run("steward.seek(0)");
         return match;
@@ -54,7 +33,6 @@ class GamePagesTest {
         assertTrue(browser.text("#scores .small").matches(small), browser.text("#scores .small"));
         browser.run("steward.seek(steward.lastTurn())");
         assertTrue(browser.text("#scores .big").matches(atTheEnd), browser.text("#scores .big"));
-        assertEquals(List.of(), browser.complaints());
     }
 
     @Test

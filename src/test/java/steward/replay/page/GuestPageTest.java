@@ -3,20 +3,11 @@ package steward.replay.page;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.junit.jupiter.api.parallel.ResourceLock;
 
 /** The page of a guest in a real browser: lines as they were said, the referee's own limits, and no empty field. */
-@Tag("browser")
-@Execution(ExecutionMode.CONCURRENT)
-@ResourceLock(PageTestBrowser.LOCK)
-class GuestPageTest {
+class GuestPageTest extends PageTestCase {
 
     private static final List<String> LINES = List.of("""
         {"type":"steward-replay","format":3,"game":"guest","seed":"7","timeFactor":2,"players":[{"name":"left"},\
@@ -33,29 +24,22 @@ class GuestPageTest {
         {"type":"turn","turn":2,"commands":[{"lines":["TAKE 1"]},null],"times":{"answerNanos":[1000000,null]},\
         "outcome":{"state":{"bodies":[],"said":[{"block":"SCORES","lines":["0 0","1 1"]}]}}}""");
 
-    @TempDir
-    static Path folder;
-
     @Test
     void aGuestIsShownByItsLines() {
-        try (PageTestBrowser browser = PageTestBrowser.start()) {
-            browser.size(1280, 720);
-            browser.open(new PageTestPages(folder).live("A heap"), "");
-            LINES.forEach(line -> browser.run("steward.addTurn(arguments[0])", line));
-            browser.run("steward.pause()");
-            browser.run("steward.seek(1)");
-            assertTrue(browser.is("document.body.classList.contains('drawingless')"), "there is nothing to draw");
-            String cards = text(browser, "#cards");
-            assertTrue(cards.contains("5.00 ms of 2000") && cards.contains("TAKE 3\nAND <wait>"), cards);
-            assertEquals("askedleftVIEWKEY_FRAME 1\n{\"heap\": 17}TOOLTIPthree\n1NEXT_PLAYER_INPUT17\nx"
-                + "NEXT_PLAYER_INFO0\n1\n50", text(browser, "#state"));
-            browser.run("steward.seek(2)");
-            assertTrue(text(browser, "#cards").contains("1.00 ms of 100"), text(browser, "#cards"));
-            assertTrue(!text(browser, "#charts").contains("no deadlines"), text(browser, "#charts"));
-        }
+        browser.open(pages.live("A heap"), "");
+        LINES.forEach(line -> browser.run("steward.addTurn(arguments[0])", line));
+        browser.run("steward.seek(1)");
+        assertTrue(browser.is("document.body.classList.contains('drawingless')"), "there is nothing to draw");
+        String cards = text("#cards");
+        assertTrue(cards.contains("5.00 ms of 2000") && cards.contains("TAKE 3\nAND <wait>"), cards);
+        assertEquals("askedleftVIEWKEY_FRAME 1\n{\"heap\": 17}TOOLTIPthree\n1NEXT_PLAYER_INPUT17\nx"
+            + "NEXT_PLAYER_INFO0\n1\n50", text("#state"));
+        browser.run("steward.seek(2)");
+        assertTrue(text("#cards").contains("1.00 ms of 100"), text("#cards"));
+        assertTrue(!text("#charts").contains("no deadlines"), text("#charts"));
     }
 
-    private static String text(PageTestBrowser browser, String selector) {
+    private static String text(String selector) {
         return (String) browser.run("return document.querySelector(arguments[0]).textContent", selector);
     }
 }

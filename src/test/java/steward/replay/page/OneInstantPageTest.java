@@ -3,19 +3,12 @@ package steward.replay.page;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.IntStream;
-import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.junit.jupiter.api.parallel.ResourceLock;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.game.GameSetup;
@@ -28,11 +21,8 @@ import tools.jackson.databind.json.JsonMapper;
  * All numbers of the page at ten moments of a match, every second of them within a turn: each is that of the moment, or
  * says of which turn it is, and is that of the replay.
  */
-@Tag("browser")
 @Tag("slow")
-@Execution(ExecutionMode.CONCURRENT)
-@ResourceLock(PageTestBrowser.LOCK)
-class OneInstantPageTest {
+class OneInstantPageTest extends PageTestCase {
 
     private static final int MOMENTS = 10;
     private static final double WITHIN = 0.66;
@@ -40,19 +30,7 @@ class OneInstantPageTest {
     private static final double DIGIT = 0.00051;
     private static final double GROUPED = 0.0051;
 
-    @TempDir
-    static Path folder;
-
-    @AutoClose
-    private static PageTestBrowser browser;
-
     private List<JsonNode> lines;
-
-    @BeforeAll
-    static void start() {
-        browser = PageTestBrowser.start();
-        browser.prefer(true, true);
-    }
 
     @Test
     void everyNumberOfMeanMaxIsOfTheMomentOrSaysOfWhich() {
@@ -72,7 +50,7 @@ class OneInstantPageTest {
         Recorded match = Recorded.of(setup, 7,
             EveryScenePageTest.bots(setup.scene().gameId(), setup.scene().players()));
         lines = PageTestRaces.lines(match.bytes());
-        browser.open(new PageTestPages(folder).page(match.bytes(), name), "#t=0");
+        browser.open(pages.page(match.bytes(), name), "#t=0");
         int last = lines.size() - 2;
         for (int k = 0; k < MOMENTS; k++) {
             double time = Math.min(last, k * last / (MOMENTS - 1) + (k % 2 == 0 ? 0 : WITHIN));

@@ -7,58 +7,43 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.match.TestScenes;
 
 /** Long replays in their pages: drawn from tables of numbers that are as precise as a screen shows. */
-@Tag("browser")
-@Execution(ExecutionMode.CONCURRENT)
-@ResourceLock(PageTestBrowser.LOCK)
-class PackedTurnsPageTest {
+class PackedTurnsPageTest extends PageTestCase {
 
     /** Steps in the largest place, 1800; half of one is the largest rounding, and floats add a fraction of that. */
     private static final double STEP = 1800.0 / (1 << 16);
-
-    @TempDir
-    static Path folder;
 
     /** The match drawn from its lines by one page and from its tables by another: same places, impacts and ways. */
     @Test
     void aPackedMatchIsDrawnAsThatOfItsLines() {
         byte[] replay = PackedTurnsTest.replay();
         assertTrue(replay.length > 2 << 20, () -> replay.length + " bytes are packed");
-        Path page = new PageTestPages(folder).page(replay, "Gas", PageExtras.of(TestScenes.TYPES));
-        try (PageTestBrowser browser = PageTestBrowser.start()) {
-            browser.open(page, "#t=0");
-            browser.run("window.plain = arguments[0].split('\\n').filter(line => line).map(line => JSON.parse(line))"
-                + ".filter(line => line.type === 'turn')", new String(replay, StandardCharsets.UTF_8));
-            assertEquals(300, browser.number("steward.lastTurn()"));
-            assertEquals(0, browser.number("""
-                plain.filter(({ turn, outcome }) => {
-                  const drawn = steward.match().turn(turn);
-                  const near = (one, other) => Math.abs(one - other) <= %s;
-                  return !(outcome.state.bodies.every(({ id, x, y, vx, vy }) => {
-                    const body = drawn.bodies.get(id);
-                    return near(body.x, x) && near(body.y, y) && near(body.vx, vx) && near(body.vy, vy);
-                  }) && (outcome.impacts ?? []).every((impact, k) => drawn.impacts[k].a === impact.a
-                    && drawn.impacts[k].b === impact.b && drawn.impacts[k].wall === impact.wall
-                    && near(drawn.impacts[k].time, impact.time) && near(drawn.impacts[k].ax, impact.ax))
-                    && drawn.impacts.length === (outcome.impacts ?? []).length
-                    && (outcome.paths ?? []).every(({ id, knots }) => knots.every(([t, x, y], k) => {
-                      const knot = drawn.knots.get(id)[k];
-                      return near(knot[0], t) && near(knot[1], x) && near(knot[2], y);
-                    })) && drawn.hash === outcome.hash);
-                }).length""".formatted(0.51 * STEP)), "turns that are drawn otherwise");
-            assertTrue(browser.text("#scene").endsWith("numbers rounded to the screen"),
-                browser.text("#scene"));
-            assertEquals(List.of(), browser.complaints());
-        }
+        Path page = pages.page(replay, "Gas", PageExtras.of(TestScenes.TYPES));
+        browser.open(page, "#t=0");
+        browser.run("window.plain = arguments[0].split('\\n').filter(line => line).map(line => JSON.parse(line))"
+            + ".filter(line => line.type === 'turn')", new String(replay, StandardCharsets.UTF_8));
+        assertEquals(300, browser.number("steward.lastTurn()"));
+        assertEquals(0, browser.number("""
+            plain.filter(({ turn, outcome }) => {
+              const drawn = steward.match().turn(turn);
+              const near = (one, other) => Math.abs(one - other) <= %s;
+              return !(outcome.state.bodies.every(({ id, x, y, vx, vy }) => {
+                const body = drawn.bodies.get(id);
+                return near(body.x, x) && near(body.y, y) && near(body.vx, vx) && near(body.vy, vy);
+              }) && (outcome.impacts ?? []).every((impact, k) => drawn.impacts[k].a === impact.a
+                && drawn.impacts[k].b === impact.b && drawn.impacts[k].wall === impact.wall
+                && near(drawn.impacts[k].time, impact.time) && near(drawn.impacts[k].ax, impact.ax))
+                && drawn.impacts.length === (outcome.impacts ?? []).length
+                && (outcome.paths ?? []).every(({ id, knots }) => knots.every(([t, x, y], k) => {
+                  const knot = drawn.knots.get(id)[k];
+                  return near(knot[0], t) && near(knot[1], x) && near(knot[2], y);
+                })) && drawn.hash === outcome.hash);
+            }).length""".formatted(0.51 * STEP)), "turns that are drawn otherwise");
+        assertTrue(browser.text("#scene").endsWith("numbers rounded to the screen"),
+            browser.text("#scene"));
     }
 
     /** The page of a replay that is too large says so, and draws straight lines between the turns that it has. */
@@ -66,18 +51,15 @@ class PackedTurnsPageTest {
     void thePageSaysThatTurnsAreLeftOut() throws IOException {
         byte[] replay = PackedTurnsTest.replay();
         String text = PackedTurns.of(replay, PackedTurns.of(replay).length() / 2);
-        Path page = new PageTestPages(folder).page(replay, "Gas");
+        Path page = pages.page(replay, "Gas");
         Path fewer = folder.resolve("fewer.html");
         Files.writeString(fewer, Files.readString(page).replace(PackedTurns.of(replay), text));
-        try (PageTestBrowser browser = PageTestBrowser.start()) {
-            browser.open(fewer, "#t=1");
-            assertTrue(browser.text("#scene").matches(
-                ".* · a state every \\d+ turns, numbers rounded to the screen · sparse.*"), browser.text("#scene"));
-            assertEquals(100, browser.number("steward.bodies().length"));
-            assertTrue(browser.text("#state-when").endsWith("the state of turn 1 was left out"));
-            browser.run("steward.seek(300)");
-            assertEquals("at the end of turn 300", browser.text("#state-when"));
-            assertEquals(List.of(), browser.complaints());
-        }
+        browser.open(fewer, "#t=1");
+        assertTrue(browser.text("#scene").matches(
+            ".* · a state every \\d+ turns, numbers rounded to the screen · sparse.*"), browser.text("#scene"));
+        assertEquals(100, browser.number("steward.bodies().length"));
+        assertTrue(browser.text("#state-when").endsWith("the state of turn 1 was left out"));
+        browser.run("steward.seek(300)");
+        assertEquals("at the end of turn 300", browser.text("#state-when"));
     }
 }

@@ -8,15 +8,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.junit.jupiter.api.parallel.ResourceLock;
 import org.openqa.selenium.Keys;
 import tools.jackson.databind.JsonNode;
 
@@ -24,38 +19,26 @@ import tools.jackson.databind.JsonNode;
  * The page in a real browser: what it draws, against the numbers of the replay. One long file: all of its tests look at
  * the page of one race.
  */
-@Tag("browser")
-@Execution(ExecutionMode.CONCURRENT)
-@ResourceLock(PageTestBrowser.LOCK)
-class PageTest {
+class PageTest extends PageTestCase {
 
     /** Places are computed in doubles from whole pixels; a hundredth of a pixel is far below what can be seen. */
     private static final double PIXELS = 0.01;
     /** Share of a pod's disc that must have its team's colour: hull and rim, less label, flash and neighbours. */
     private static final double COLOURED = 0.1;
 
-    @TempDir
-    static Path folder;
-
-    @AutoClose
-    private static PageTestBrowser browser;
-    private static PageTestPages pages;
     private static byte[] replay;
     private static List<JsonNode> lines;
     private static Path page;
 
     @BeforeAll
     static void start() {
-        browser = PageTestBrowser.start();
-        pages = new PageTestPages(folder);
         replay = PageTestRaces.play(PageTestRaces.scene("walled-race"), 3);
         lines = PageTestRaces.lines(replay);
         page = pages.page(replay, "Walled race");
     }
 
     @BeforeEach
-    void plainSurroundings() {
-        browser.size(1280, 720);
+    void allowMotion() {
         browser.prefer(true, false);
     }
 
@@ -72,7 +55,6 @@ class PageTest {
     void opensFromDiskWithoutComplaintOrRequest() {
         browser.open(page, "");
         browser.run("steward.pause(); steward.seek(steward.lastTurn())");
-        assertEquals(List.of(), browser.complaints());
         assertEquals(List.of(), browser.requests());
         assertEquals(lastTurn(), browser.number("steward.lastTurn()"));
         assertEquals("Walled race", browser.text("h1"));
@@ -176,7 +158,6 @@ class PageTest {
               steward.seek(turn, time - turn + 1 + 1e-9);
               return Math.max(most, exactly, steward.bodies().length);
             }, 0)""".replace("EACH", Integer.toString(each))));
-        assertEquals(List.of(), browser.complaints());
     }
 
     @Test
@@ -258,7 +239,6 @@ class PageTest {
         browser.open(page, "#turn=999999");
         assertEquals(lastTurn(), browser.number("steward.time()"));
         browser.open(page, "#turn=abc");
-        assertEquals(List.of(), browser.complaints());
     }
 
     @Test

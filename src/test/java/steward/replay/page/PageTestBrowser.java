@@ -2,17 +2,16 @@ package steward.replay.page;
 
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.Arrays;
 import java.util.Base64;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import java.util.logging.Level;
@@ -25,6 +24,7 @@ import org.openqa.selenium.chrome.ChromeDriverService;
 import org.openqa.selenium.chrome.ChromeOptions;
 import org.openqa.selenium.logging.LogType;
 import org.openqa.selenium.logging.LoggingPreferences;
+import steward.bot.command.ProgramFinder;
 
 /**
  * A headless Chromium in which tests look at pages, through the page's own test hook {@code window.steward}. One serves
@@ -123,11 +123,7 @@ public final class PageTestBrowser implements AutoCloseable {
     }
 
     private static Path find(String... names) {
-        String path = System.getenv("PATH");
-        return Arrays.stream(names)
-            .flatMap(name -> Arrays.stream((path == null ? "" : path).split(File.pathSeparator))
-                .map(folder -> Path.of(folder, name)))
-            .filter(Files::isExecutable).findFirst().orElse(null);
+        return Stream.of(names).map(ProgramFinder::find).filter(Objects::nonNull).findFirst().orElse(null);
     }
 
     /** Opens a page from disk and waits until it is ready; the link, such as {@code #turn=57}, may be empty. */

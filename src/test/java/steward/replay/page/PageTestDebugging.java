@@ -8,45 +8,27 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.junit.jupiter.api.parallel.ResourceLock;
 import org.openqa.selenium.Keys;
 import steward.match.TestScenes;
 
 /** The page as a tool to find out what happened: happenings, moments, bodies, camera, keys. */
-@Tag("browser")
-@Execution(ExecutionMode.CONCURRENT)
-@ResourceLock(PageTestBrowser.LOCK)
-class PageTestDebugging {
+class PageTestDebugging extends PageTestCase {
 
-    @TempDir
-    static Path folder;
-
-    @AutoClose
-    private static PageTestBrowser browser;
-    private static PageTestPages pages;
     private static Path page;
 
     @BeforeAll
     static void start() {
-        browser = PageTestBrowser.start();
-        pages = new PageTestPages(folder);
         page = pages.page(PageTestRaces.play(PageTestRaces.scene("mad-pod-racing"), 3), "Race");
     }
 
     @BeforeEach
     void atTurnThirty() {
-        browser.size(1280, 720);
         browser.prefer(true, false);
         browser.open(page, "#t=30.5");
-        browser.run("localStorage.clear()");
     }
 
     @Test
@@ -101,7 +83,6 @@ class PageTestDebugging {
             .getBytes(StandardCharsets.UTF_8);
         browser.open(pages.page(failed, "Failed"), "#t=30");
         assertTrue(browser.text("#cards").contains("pod 1: nothing"), browser.text("#cards"));
-        assertEquals(List.of(), browser.complaints());
     }
 
     @Test
@@ -175,6 +156,5 @@ class PageTestDebugging {
         browser.open(page, "#t=1");
         assertEquals(2, browser.number("steward.speed()"));
         assertEquals("light", browser.run("return document.documentElement.dataset.theme"));
-        assertEquals(List.of(), browser.complaints());
     }
 }

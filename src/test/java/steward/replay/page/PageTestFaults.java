@@ -7,15 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.junit.jupiter.api.parallel.ResourceLock;
 import org.openqa.selenium.Keys;
 import steward.game.GameTypes;
 import steward.game.podrace.protocol.PodRaceType;
@@ -23,10 +17,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /** The page of a match in which a bot failed, looked through to the end of the search: fault, stderr, frames, CSV. */
-@Tag("browser")
-@Execution(ExecutionMode.CONCURRENT)
-@ResourceLock(PageTestBrowser.LOCK)
-class PageTestFaults {
+class PageTestFaults extends PageTestCase {
 
     private static final int FAILED = 30;
     /** A trace behind many lines, as of a bot in Python that prints what it thinks. */
@@ -34,34 +25,23 @@ class PageTestFaults {
         + "  File \\\"bot.py\\\", line 10, in choose\\n    return table[\\\"target\\\"]\\nKeyError: 'target'\\n"
         + "goodbye\\n".repeat(40);
 
-    @TempDir
-    static Path folder;
-
-    @AutoClose
-    private static PageTestBrowser browser;
-    private static PageTestPages pages;
     private static Path page;
     private static List<JsonNode> lines;
 
     @BeforeAll
     static void start() {
-        browser = PageTestBrowser.start();
         byte[] race = PageTestRaces.play(PageTestRaces.scene("mad-pod-racing"), 3);
         lines = PageTestRaces.lines(race);
         String failed = new String(race, StandardCharsets.UTF_8).replaceFirst(
             "(\"turn\":" + FAILED + ",\"commands\":.*?)(,\"outcome\":.*?\"stderr\":\\[)\"[^\"]*\"",
             "$1,\"faults\":[\"exited with status 1\",null]$2\"" + STDERR.replace("\\", "\\\\") + "\"");
-        pages = new PageTestPages(folder);
         page = pages.page(failed.getBytes(StandardCharsets.UTF_8), "Failed",
             PageExtras.of(new GameTypes(List.of(new PodRaceType()))));
     }
 
     @BeforeEach
     void atTheFault() {
-        browser.size(1280, 720);
-        browser.prefer(true, true);
         browser.open(page, "#fault");
-        browser.run("localStorage.clear()");
     }
 
     @Test
@@ -106,7 +86,6 @@ class PageTestFaults {
         assertTrue(browser.is("document.querySelector('#cards .sent-box').open"
             + " || document.querySelector('#cards .card:nth-child(2) .sent-box').open"));
         assertEquals("\"turnsLeft\": ", browser.run("return document.querySelector('#cards .sent mark').textContent"));
-        assertEquals(List.of(), browser.complaints());
     }
 
     /** What was sent is the frame to the letter, but for line ends and spaces between its fields. */

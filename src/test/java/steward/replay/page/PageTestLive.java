@@ -11,37 +11,15 @@ import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
-import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.junit.jupiter.api.parallel.ResourceLock;
 
 /** The page that is given its turns one by one, in a real browser: a live match, and a game it does not know. */
-@Tag("browser")
-@Execution(ExecutionMode.CONCURRENT)
-@ResourceLock(PageTestBrowser.LOCK)
-class PageTestLive {
-
-    @TempDir
-    static Path folder;
-
-    @AutoClose
-    private static PageTestBrowser browser;
-
-    @BeforeAll
-    static void start() {
-        browser = PageTestBrowser.start();
-    }
+class PageTestLive extends PageTestCase {
 
     /** Half of the match, a wait, the other half: the page waits too, and goes on. */
     @Test
@@ -82,7 +60,6 @@ class PageTestLive {
             browser.await("the end does not arrive", () -> browser.is("steward.lastTurn() === " + (lines.size() - 2)));
             browser.run("steward.seek(steward.lastTurn())");
             assertTrue(browser.text("#ending").contains("wins"));
-            assertEquals(List.of(), browser.complaints());
         } finally {
             secondHalf.countDown();
             server.stop(0);
@@ -100,8 +77,7 @@ class PageTestLive {
     /** Nothing of this game is known: bodies come, grow and go, hit each other and walls of all kinds. */
     @Test
     void showsAGameItKnowsNothingOf() {
-        browser.open(new PageTestPages(folder).live("Unknown"), "");
-        browser.complaints();                                // about the feed, which is not served here
+        browser.open(pages.live("Unknown"), "");
         addTurn("""
             {"type":"steward-replay","format":2,"game":"bubbles","seed":"1","timeFactor":null,
              "players":[{"name":"a","bot":"./a"},{"name":"b","bot":"./b"},{"name":"c","bot":"./c"}],
@@ -123,7 +99,6 @@ class PageTestLive {
               "state":{"bodies":[{"id":1,"x":-20,"y":30,"radius":9},
                {"id":9,"x":10,"y":-40,"radius":2,"owner":2,"kind":"drop"}],"round":7},"hash":"01"}}
             """);
-        assertEquals(List.of(), browser.complaints().stream().filter(line -> !line.contains("feed")).toList());
         browser.seek(1, 0.25);
         assertEquals(List.of("1 -20 0 6", "2 40 10 5"), places());
         browser.seek(1, 0.5);

@@ -9,37 +9,21 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
-import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
-import org.junit.jupiter.api.parallel.ResourceLock;
 
 /** Texts of players, files and callers, shown in a real browser: always harmless, never too much. */
-@Tag("browser")
-@Execution(ExecutionMode.CONCURRENT)
-@ResourceLock(PageTestBrowser.LOCK)
-class PageTestTexts {
+class PageTestTexts extends PageTestCase {
 
     private static final String ATTACK = "</script><script>window.hacked = 1</script>"
         + "<img src=x onerror='window.hacked = 1'><!-- <script>";
 
-    @TempDir
-    static Path folder;
-
-    @AutoClose
-    private static PageTestBrowser browser;
-    private static PageTestPages pages;
     private static byte[] replay;
 
     @BeforeAll
     static void start() {
-        browser = PageTestBrowser.start();
-        pages = new PageTestPages(folder);
         replay = PageTestRaces.play(PageTestRaces.scene("duel"), 5);
     }
 

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.Bot;
+import steward.bot.TestBots;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
 import steward.match.TestSize;
@@ -30,19 +31,8 @@ import steward.scene.json.SceneException;
 class EveryByteTest {
 
     private static Recorded match(SigningKey key) {
-        Bot talker = new Bot() {
-            private int turns;
-
-            @Override
-            public void setup(String line) {
-            }
-
-            @Override
-            public String turn(String line) {
-                return ++turns == 4 ? "\u00e4\uD83D\uDE00"
-                    : "{\"pods\":[{\"x\":5500.5,\"y\":3000,\"boost\":true}],\"message\":\"\u00e4\uD83D\uDE00\"}";
-            }
-        };
+        Bot talker = TestBots.byTurn(turn -> turn == 4 ? "\u00e4\uD83D\uDE00"
+            : "{\"pods\":[{\"x\":5500.5,\"y\":3000,\"boost\":true}],\"message\":\"\u00e4\uD83D\uDE00\"}");
         return Recorded.of(TestScenes.open("duel"), 3, List.of(talker, new SeededBot(3, 1)), key);
     }
 

@@ -23,7 +23,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.bot.AlteredBot;
 import steward.bot.Bot;
+import steward.match.SeededBot;
 import steward.match.TestScenes;
 import steward.replay.Forge;
 import steward.replay.Recorded;
@@ -89,7 +91,7 @@ class ForgeryTest {
     }
 
     private static Bot stopping(int last, long seed) {
-        return new StoppingBot(last, seed, 0.9, "stop");
+        return new AlteredBot(new SeededBot(seed, 0.9), last, answer -> "stop");
     }
 
     private static void put(String name, Verdict unsigned, Verdict signedToo, UnaryOperator<Forge> change) {

@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import steward.bot.AlteredBot;
 import steward.bot.Bot;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
@@ -20,27 +21,13 @@ import steward.replay.ReplayReader;
 /** Ordinary turns are settled by their bytes alone, which is what makes verifying quick; everything else is not. */
 class LineCheckTest {
 
-    private final Recorded match = Recorded.of(TestScenes.open("duel"), 4, List.of(new Silent(5), new Silent(6)));
+    private final Recorded match = Recorded.of(TestScenes.open("duel"), 4, List.of(silent(5), silent(6)));
     private final List<String> lines = match.lines();
 
     /** A bot that leaves no message. */
-    private static final class Silent implements Bot {
-
-        private final SeededBot bot;
-
-        Silent(long seed) {
-            bot = new SeededBot(seed, 0.3);
-        }
-
-        @Override
-        public void setup(String line) {
-            bot.setup(line);
-        }
-
-        @Override
-        public String turn(String line) {
-            return bot.turn(line).replaceFirst(",\"message\".*", "}");
-        }
+    private static Bot silent(long seed) {
+        return new AlteredBot(new SeededBot(seed, 0.3),
+            (turn, answer) -> answer.replaceFirst(",\"message\".*", "}"));
     }
 
     private static byte[] bytes(String line) {
