@@ -2,11 +2,11 @@ package steward.league.promise;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.DoublePredicate;
 import java.util.stream.IntStream;
 import steward.league.rating.AnytimeBar;
 import steward.league.rating.RatingFit;
 import steward.league.rating.Ratings;
-import steward.league.rating.Stratum;
 
 /**
  * Fewest clusters with which a pairing that is fixed beforehand separates neighbours, for somebody who knows all
@@ -21,20 +21,21 @@ final class BestAllocation {
     /** Returns the clusters needed, as a share of those of a round robin. @param league the strongest first */
     static double share(MadeUpLeague league) {
         int bots = league.bots();
-        List<Stratum> strata = league.groups().stream().map(group -> group.inProportion(1L << 30)).toList();
-        RatingFit fit = RatingFit.of(bots, strata, league.pooled(), league.truth());
+        RatingFit fit = league.truth();
         Ratings ratings = new Ratings(IntStream.range(0, bots).boxed().toList(), fit);
         double[][] parts = new double[bots - 1][];
-        double inTurn = 0;
-        for (int k = 0; k + 1 < bots; k++) {
-            double ratio = fit.difference(k, k + 1).variance() / wanted(fit.difference(k, k + 1).elo(), league.pairs());
+        for (int k = 0; k < parts.length; k++) {
+            double elo = fit.difference(k, k + 1).elo();
+            double alpha = AnytimeBar.ALPHA / league.pairs();
+            double wanted = bound(0, 1, variance -> RatingFit.ELO * AnytimeBar.of(variance, 1e9, alpha) < elo);
+            double ratio = fit.difference(k, k + 1).variance() / wanted;
             parts[k] = ratings.parts(List.of(new int[] {k, k + 1})).values().stream().mapToDouble(part -> part * ratio)
                 .toArray();
-            inTurn = Math.max(inTurn, Arrays.stream(parts[k]).sum());
         }
+        double inTurn = Arrays.stream(parts).mapToDouble(part -> Arrays.stream(part).sum()).max().orElseThrow();
         double[] multipliers = new double[parts.length];
         Arrays.fill(multipliers, 1);
-        double[] numbers = new double[strata.size()];
+        double[] numbers = new double[league.groups().size()];
         double worst = 0;
         for (int step = 0; step < 20_000; step++) {
             Arrays.setAll(numbers, q -> Math.sqrt(IntStream.range(0, parts.length)
@@ -52,15 +53,15 @@ final class BestAllocation {
         return Arrays.stream(numbers).sum() * worst / (inTurn * numbers.length);
     }
 
-    /** Returns the variance whose anytime bar is so wide, where there are so many pairs. */
-    private static double wanted(double elo, int pairs) {
-        double low = 0;
-        double high = 1;
+    /** Returns the least number between two of which something does not hold that holds of all lower ones. */
+    static double bound(double least, double most, DoublePredicate holds) {
+        double low = least;
+        double high = most;
         for (int halving = 0; halving < 100; halving++) {
             double middle = (low + high) / 2;
-            boolean fits = RatingFit.ELO * AnytimeBar.of(middle, 1e9, AnytimeBar.ALPHA / pairs) < elo;
-            low = fits ? middle : low;
-            high = fits ? high : middle;
+            boolean below = holds.test(middle);
+            low = below ? middle : low;
+            high = below ? high : middle;
         }
         return low;
     }

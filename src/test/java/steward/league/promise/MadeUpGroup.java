@@ -2,9 +2,13 @@ package steward.league.promise;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Function;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import steward.league.rating.Stratum;
 import steward.numerics.SplitMix64;
@@ -18,46 +22,40 @@ import steward.numerics.SplitMix64;
  */
 record MadeUpGroup(double weight, int[][] groups, int[] bots, double[] chances, List<double[]> patterns) {
 
-    /** The chances of the ways in which a game can go. */
-    interface Game {
-        /** @param shifts of the seed, one for each bot, in natural units */
-        Map<double[], Double> outcomes(int seat, double... shifts);
-    }
-
-    private static Map<double[], Double> map() {
+    private static Map<double[], Double> ways() {
         return new TreeMap<>(Arrays::compare);
     }
 
-    private static int[] bots(int[]... groups) {
-        return Stream.of(groups).flatMapToInt(Arrays::stream).sorted().distinct().toArray();
-    }
-
-    private static MadeUpGroup of(double weight, Game game, int games, double push, int[]... groups) {
-        int[] bots = bots(groups);
+    /** @param games chances of the numbers of each game, by what the seed is worth to each bot, in natural units */
+    private static MadeUpGroup of(double weight, double push, int[][] groups,
+                                  Function<double[], List<Map<double[], Double>>> games) {
+        int[] bots = Stream.of(groups).flatMapToInt(Arrays::stream).sorted().distinct().toArray();
         int numbers = Stream.of(groups).mapToInt(group -> 3 * group.length * (group.length - 1) / 2).sum();
-        Map<double[], Double> chances = map();
+        Map<double[], Double> chances = ways();
         int pushes = push == 0 ? 1 : 1 << bots.length - 1;
         for (int which = 0; which < pushes; which++) {
-            double[] shifts = new double[bots.length];
+            double[] shifts = new double[bots[bots.length - 1] + 1];
             for (int k = 1; k < bots.length; k++) {
-                shifts[k] = (which >> k - 1 & 1) == 0 ? push : -push;
+                shifts[bots[k]] = (which >> k - 1 & 1) == 0 ? push : -push;
             }
-            Map<double[], Double> sums = map();
-            sums.put(new double[numbers], 1.0 / pushes);
-            for (int seat = 0; seat < games; seat++) {
-                Map<double[], Double> longer = map();
-                Map<double[], Double> outcomes = game.outcomes(seat, shifts);
-                sums.forEach((before, chance) -> outcomes.forEach((outcome, also) -> {
-                    double[] sum = before.clone();
-                    Arrays.setAll(sum, k -> before[k] + outcome[k]);
-                    longer.merge(sum, chance * also, Double::sum);
-                }));
-                sums = longer;
+            Map<double[], Double> sums = Map.of(new double[numbers], 1.0 / pushes);
+            for (Map<double[], Double> game : games.apply(shifts)) {
+                sums = sums(sums, game);
             }
             sums.forEach((pattern, chance) -> chances.merge(pattern, chance, Double::sum));
         }
         return new MadeUpGroup(weight, groups, bots,
             chances.values().stream().mapToDouble(Double::doubleValue).toArray(), new ArrayList<>(chances.keySet()));
+    }
+
+    private static Map<double[], Double> sums(Map<double[], Double> before, Map<double[], Double> game) {
+        Map<double[], Double> sums = ways();
+        before.forEach((numbers, chance) -> game.forEach((more, also) -> {
+            double[] sum = numbers.clone();
+            Arrays.setAll(sum, k -> numbers[k] + more[k]);
+            sums.merge(sum, chance * also, Double::sum);
+        }));
+        return sums;
     }
 
     /** An empty stratum with a pattern for each way. */
@@ -67,24 +65,11 @@ record MadeUpGroup(double weight, int[][] groups, int[] bots, double[] chances, 
         return stratum;
     }
 
-    /** A stratum in which everything has gone as is to be expected, so many times. */
-    Stratum truth(long clusters) {
-        double[] expected = new double[patterns.get(0).length];
-        for (int way = 0; way < chances.length; way++) {
-            for (int k = 0; k < expected.length; k++) {
-                expected[k] += chances[way] * patterns.get(way)[k];
-            }
-        }
-        Stratum stratum = new Stratum(weight, groups);
-        stratum.add(stratum.pattern(expected), clusters);
-        return stratum;
-    }
-
-    /** A stratum in which every way has come as often as is to be expected. */
-    Stratum inProportion(long clusters) {
+    /** A stratum in which every way has come as often as is to be expected, so often that no prior matters. */
+    Stratum truth() {
         Stratum stratum = stratum();
         for (int way = 0; way < chances.length; way++) {
-            stratum.add(way, Math.round(chances[way] * clusters));
+            stratum.add(way, Math.round(chances[way] * 0x1p40));
         }
         return stratum;
     }
@@ -104,19 +89,6 @@ record MadeUpGroup(double weight, int[][] groups, int[] bots, double[] chances, 
         return patterns.stream().mapToDouble(pattern -> pattern[1] / pattern[0]).toArray();
     }
 
-    /** Mean and variance of {@link #scores}. */
-    double[] moments() {
-        double[] scores = scores();
-        double[] moments = new double[2];
-        for (int way = 0; way < scores.length; way++) {
-            moments[0] += chances[way] * scores[way];
-        }
-        for (int way = 0; way < scores.length; way++) {
-            moments[1] += chances[way] * (scores[way] - moments[0]) * (scores[way] - moments[0]);
-        }
-        return moments;
-    }
-
     /**
      * Pairs of bots, all on one list of seeds; a seed is worth to a bot as much in all its games. The expected points
      * of a game are p = 1/(1 + exp(-apart)), whatever share of the games is drawn.
@@ -126,31 +98,23 @@ record MadeUpGroup(double weight, int[][] groups, int[] bots, double[] chances, 
      * @param side  advantage of the first side
      */
     static MadeUpGroup pairs(double[] apart, double drawn, double side, double push, int[]... pairs) {
-        int[] bots = bots(pairs);
-        return of(1, (seat, shifts) -> {
-            Map<double[], Double> outcomes = map();
-            outcomes.put(new double[0], 1.0);
-            for (int pair = 0; pair < pairs.length; pair++) {
-                double points = 1 / (1 + StrictMath.exp(-apart[pair] + (seat == 0 ? -side : side)
-                    - shifts[Arrays.binarySearch(bots, pairs[pair][0])]
-                    + shifts[Arrays.binarySearch(bots, pairs[pair][1])]));
-                double tie = drawn * 2 * Math.min(points, 1 - points);
-                double[] chances = {1 - points - tie / 2, tie, points - tie / 2};
-                Map<double[], Double> longer = map();
-                outcomes.forEach((before, chance) -> {
-                    for (int result = 0; result < chances.length; result++) {
-                        double[] more = Arrays.copyOf(before, before.length + 3);
-                        more[before.length] = 1;
-                        more[before.length + 1] = result / 2.0;
-                        more[before.length + 2] = result % 2;
-                        longer.put(more, chance * chances[result]);
-                    }
-                });
-                longer.values().removeIf(chance -> chance == 0);
-                outcomes = longer;
+        return of(1, push, pairs, shifts -> IntStream.range(0, 2 * pairs.length).mapToObj(game -> {
+            int pair = game / 2;
+            double points = 1 / (1 + StrictMath.exp(-apart[pair] + (game % 2 == 0 ? -side : side)
+                - shifts[pairs[pair][0]] + shifts[pairs[pair][1]]));
+            double tie = drawn * 2 * Math.min(points, 1 - points);
+            double[] chances = {1 - points - tie / 2, tie, points - tie / 2};
+            Map<double[], Double> results = ways();
+            for (int result = 0; result < chances.length; result++) {
+                double[] numbers = new double[3 * pairs.length];
+                numbers[3 * pair] = 1;
+                numbers[3 * pair + 1] = result / 2.0;
+                numbers[3 * pair + 2] = result % 2;
+                results.put(numbers, chances[result]);
             }
-            return outcomes;
-        }, 2, push, pairs);
+            results.values().removeIf(chance -> chance == 0);
+            return results;
+        }).toList());
     }
 
     /**
@@ -161,41 +125,30 @@ record MadeUpGroup(double weight, int[][] groups, int[] bots, double[] chances, 
      */
     static MadeUpGroup many(double[] strengths, boolean alone, double push, int... bots) {
         double weight = alone ? 1 : 2.0 / bots.length;
-        return of(weight, (seat, shifts) -> {
-            Map<double[], Double> outcomes = map();
+        return of(weight, push, new int[][] {bots}, shifts -> {
             double[] odds = new double[bots.length];
-            Arrays.setAll(odds, k -> StrictMath.exp(strengths[k] + shifts[k]));
-            int[] places = new int[bots.length];
-            Arrays.fill(places, bots.length);
-            place(odds, places, 0, 1, weight, outcomes);
-            return outcomes;
-        }, alone ? 1 : bots.length, push, bots);
+            Arrays.setAll(odds, k -> StrictMath.exp(strengths[k] + shifts[bots[k]]));
+            Map<double[], Double> orders = ways();
+            addOrders(orders, weight, odds, 1);
+            return Collections.nCopies(alone ? 1 : bots.length, orders);
+        });
     }
 
-    private static void place(double[] odds, int[] places, int next, double chance, double weight,
-                              Map<double[], Double> outcomes) {
-        int players = odds.length;
-        if (next == players) {
-            double[] numbers = new double[3 * players * (players - 1) / 2];
-            for (int i = 0, at = 0; i < players; i++) {
-                for (int j = i + 1; j < players; j++, at += 3) {
-                    numbers[at] = weight;
-                    numbers[at + 1] = places[i] < places[j] ? weight : 0;
-                }
-            }
-            outcomes.merge(numbers, chance, Double::sum);
-            return;
+    /** Adds the orders that begin with these bots, as the numbers of a game. */
+    private static void addOrders(Map<double[], Double> orders, double weight, double[] odds, double chance,
+                                  Integer... first) {
+        List<Integer> placed = List.of(first);
+        List<Integer> left = IntStream.range(0, odds.length).boxed().filter(bot -> !placed.contains(bot)).toList();
+        double all = left.stream().mapToDouble(bot -> odds[bot]).sum();
+        for (Integer next : left) {
+            Integer[] longer = Arrays.copyOf(first, first.length + 1);
+            longer[first.length] = next;
+            addOrders(orders, weight, odds, chance * odds[next] / all, longer);
         }
-        double all = 0;
-        for (int k = 0; k < players; k++) {
-            all += places[k] == players ? odds[k] : 0;
-        }
-        for (int k = 0; k < players; k++) {
-            if (places[k] == players) {
-                places[k] = next;
-                place(odds, places, next + 1, chance * odds[k] / all, weight, outcomes);
-                places[k] = players;
-            }
+        if (left.isEmpty()) {
+            orders.put(IntStream.range(0, odds.length).boxed().flatMap(i -> IntStream.range(i + 1, odds.length)
+                .mapToObj(j -> placed.indexOf(i) < placed.indexOf(j))).flatMapToDouble(isAhead ->
+                    DoubleStream.of(weight, isAhead ? weight : 0, 0)).toArray(), chance);
         }
     }
 }

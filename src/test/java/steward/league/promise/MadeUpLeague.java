@@ -2,9 +2,12 @@ package steward.league.promise;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Predicate;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import steward.league.rating.RatingFit;
 import steward.league.rating.Stratum;
 
@@ -18,23 +21,45 @@ import steward.league.rating.Stratum;
  */
 record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> groups, int hero, RatingFit truth) {
 
-    /** Number of clusters so large that the prior does not matter. */
-    private static final long MANY = 1L << 40;
+    static final MadeUpLeague TRIO = pairs("3 bots, rock, paper, scissors of 150 Elo", spaced(3, 0), 0.05, 0, 0, 150);
+    static final MadeUpLeague MIXED = pairs("6 bots, three of them in a circle, draws, seeds, sides", spaced(6, 40),
+        0.15, 30, 60, 100);
+    static final MadeUpLeague LARGE = pairs("30 bots, draws, seeds of 60 Elo", spaced(30, 20), 0.05, 0, 60, 0);
+    static final MadeUpLeague THREES = threes("5 bots, 3 players", 0);
+    /** Leagues in which one wins nearly everything. */
+    static final List<MadeUpLeague> WON = List.of(two(1500), pairs("5 bots, one 1400 Elo ahead",
+        new double[] {1500, 100, 0, -100, -200}, 0.05, 0, 0, 0));
 
     private static MadeUpLeague of(String name, int bots, boolean pooled, List<MadeUpGroup> groups, int hero) {
         return new MadeUpLeague(name, bots, pooled, groups, hero,
-            RatingFit.of(bots, groups.stream().map(group -> group.truth(MANY)).toList(), pooled));
+            RatingFit.of(bots, groups.stream().map(MadeUpGroup::truth).toList(), pooled));
     }
 
-    /** Returns these bots with all of them against one; its truth is the fit to such games, not to all pairings. */
+    /** Returns these bots with some of the groups; its truth is the fit to such games, not to all pairings. */
+    private MadeUpLeague only(Predicate<int[]> meet, int hero) {
+        return of(name, bots, pooled, groups.stream().filter(group -> meet.test(group.bots())).toList(), hero);
+    }
+
+    /** Returns these bots with all of them against one. */
     MadeUpLeague gauntlet(int bot) {
-        return of(name, bots, pooled,
-            groups.stream().filter(group -> IntStream.of(group.bots()).anyMatch(each -> each == bot)).toList(), bot);
+        return only(group -> IntStream.of(group).anyMatch(each -> each == bot), bot);
     }
 
     /** Returns this league with another truth to compare its estimates with. */
     MadeUpLeague comparedWith(RatingFit other) {
         return new MadeUpLeague(name, bots, pooled, groups, hero, other);
+    }
+
+    /** Words for parts of the pairs: true for those with the bot of a gauntlet, false for others, null for all. */
+    Map<String, Boolean> parts() {
+        Map<String, Boolean> parts = new LinkedHashMap<>();
+        if (hero < 0) {
+            parts.put("", null);
+        } else {
+            parts.put(": with it", true);
+            parts.put(": others", false);
+        }
+        return parts;
     }
 
     List<Stratum> strata() {
@@ -89,7 +114,7 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
     }
 
     private static MadeUpLeague sharing(String name, int bots, int[]... pairs) {
-        double[] apart = natural(Arrays.stream(pairs).mapToDouble(pair -> 60 * (pair[1] - pair[0])).toArray());
+        double[] apart = natural(Stream.of(pairs).mapToDouble(pair -> 60 * (pair[1] - pair[0])).toArray());
         return of(name + ", seeds of 150 Elo", bots, false,
             List.of(MadeUpGroup.pairs(apart, 0, 0, 150 / RatingFit.ELO, pairs)), -1);
     }
@@ -103,6 +128,7 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
         return IntStream.range(0, bots).mapToDouble(k -> -step * k).toArray();
     }
 
+    /** Leagues of up to six bots. */
     static List<MadeUpLeague> small() {
         List<MadeUpLeague> all = new ArrayList<>();
         for (double elo : new double[] {0, 100, 300, 400, 480, 550, 700, 800, 1200}) {
@@ -111,59 +137,20 @@ record MadeUpLeague(String name, int bots, boolean pooled, List<MadeUpGroup> gro
         double[] near = {60, 0};
         all.addAll(List.of(pairs("2 bots, draws", near, 0.3, 0, 0, 0),
             pairs("2 bots, draws, seeds of 150 Elo", near, 0.2, 50, 150, 0),
-            pairs("2 bots, draws, sides of 300 Elo", near, 0.2, 300, 0, 0), trio(), mixed(),
+            pairs("2 bots, draws, sides of 300 Elo", near, 0.2, 300, 0, 0), TRIO, MIXED,
             threes("5 bots, 3 players, seeds of 60 Elo", 60), of("4 bots, each alone", 4, true,
                 List.of(MadeUpGroup.many(natural(spaced(4, 60)), true, 0, 0, 1, 2, 3)), -1),
-            sharing("5 bots, one against all on one list of seeds", 5,
-                new int[][] {{0, 1}, {0, 2}, {0, 3}, {0, 4}}),
+            sharing("5 bots, one against all on one list of seeds", 5, new int[][] {{0, 1}, {0, 2}, {0, 3}, {0, 4}}),
             sharing("4 bots, all on one list of seeds", 4,
                 new int[][] {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}})));
-        return all;
-    }
-
-    /** Expected points follow from Elo: at five shares of draws, one bot far behind, two pairs that never meet. */
-    static List<MadeUpLeague> logistic() {
-        List<MadeUpLeague> all = new ArrayList<>();
+        // Expected points follow from Elo: at five shares of draws, one bot far behind, two pairs that never meet.
         for (int percent : new int[] {0, 20, 40, 60, 90}) {
-            all.add(drawn("4 bots, " + percent + "% drawn", percent / 100.0, spaced(4, 60), pair -> true));
+            all.add(pairs("4 bots, " + percent + "% drawn", spaced(4, 60), percent / 100.0, 0, 0, 0));
         }
-        all.add(drawn("3 bots, one 800 behind", 0.2, new double[] {70, 0, -800}, pair -> true));
-        all.add(drawn("4 bots, two pairs that never meet", 0.2, spaced(4, 60), pair -> pair[0] / 2 == pair[1] / 2));
+        all.add(pairs("3 bots, one 800 behind", new double[] {70, 0, -800}, 0.2, 0, 0, 0));
+        all.add(pairs("4 bots, two pairs that never meet", spaced(4, 60), 0.2, 0, 0, 0)
+            .only(pair -> pair[0] / 2 == pair[1] / 2, -1));
         return all;
-    }
-
-    private static MadeUpLeague drawn(String name, double share, double[] elo, Predicate<int[]> meet) {
-        List<MadeUpGroup> groups = new ArrayList<>();
-        for (int i = 0; i < elo.length; i++) {
-            for (int j = i + 1; j < elo.length; j++) {
-                if (meet.test(new int[] {i, j})) {
-                    groups.add(MadeUpGroup.pairs(natural(elo[i] - elo[j]), share, 0, 0, new int[] {i, j}));
-                }
-            }
-        }
-        return of(name, elo.length, false, groups, -1);
-    }
-
-    static MadeUpLeague trio() {
-        return pairs("3 bots, rock, paper, scissors of 150 Elo", spaced(3, 0), 0.05, 0, 0, 150);
-    }
-
-    static MadeUpLeague mixed() {
-        return pairs("6 bots, three of them in a circle, draws, seeds, sides", spaced(6, 40), 0.15, 30, 60, 100);
-    }
-
-    static MadeUpLeague large() {
-        return pairs("30 bots, draws, seeds of 60 Elo", spaced(30, 20), 0.05, 0, 60, 0);
-    }
-
-    static MadeUpLeague threes() {
-        return threes("5 bots, 3 players", 0);
-    }
-
-    /** The leagues in which one wins nearly everything. */
-    static List<MadeUpLeague> won() {
-        return List.of(two(1500), pairs("5 bots, one 1400 Elo ahead", new double[] {1500, 100, 0, -100, -200}, 0.05, 0,
-            0, 0));
     }
 
     /** 16 bots, by the steps in Elo between neighbours. */

@@ -18,7 +18,6 @@ import steward.numerics.SplitMix64;
  */
 record PlayedTests(double accepted, double mean, double theory, double held) {
 
-    private static final long MANY = 1L << 40;
     private static final long SEED = 21;
 
     /**
@@ -28,20 +27,9 @@ record PlayedTests(double accepted, double mean, double theory, double held) {
      * @param alike observations at the beginning that are even, as of bots that have not yet met a seed that matters
      */
     static PlayedTests of(Gsprt test, long tests, double at, double drawn, double push, int alike) {
-        double low = -10;
-        double high = 10;
-        for (int halving = 0; halving < 60; halving++) {
-            double middle = (low + high) / 2;
-            boolean below = elo(test, group(middle, drawn, push)) < at;
-            low = below ? middle : low;
-            high = below ? high : middle;
-        }
-        MadeUpGroup group = group(low, drawn, push);
+        MadeUpGroup group = group(BestAllocation.bound(-10, 10,
+            apart -> elo(test.model(), truth(group(apart, drawn, push))) < at), drawn, push);
         double[] scores = group.scores();
-        ScoreCounts truth = new ScoreCounts(2);
-        for (int way = 0; way < scores.length; way++) {
-            truth.add(scores[way], Math.round(group.chances()[way] * MANY));
-        }
         long[] sums = LongStream.range(0, tests).parallel().mapToObj(number -> {
             SplitMix64 random = new SplitMix64(SEED + number);
             ScoreCounts counted = new ScoreCounts(2);
@@ -56,9 +44,9 @@ record PlayedTests(double accepted, double mean, double theory, double held) {
             StoppedRange range = test.range(counted);
             return new long[] {state == Gsprt.State.H1 ? 1 : 0, counted.observations(),
                 range.low() <= at && at <= range.high() ? 1 : 0};
-        }).reduce((one, other) -> new long[] {one[0] + other[0], one[1] + other[1], one[2] + other[2]}).orElseThrow();
+        }).reduce(PlayedLeagues::sum).orElseThrow();
         return new PlayedTests((double) sums[0] / tests, (double) sums[1] / tests,
-            ExpectedLength.of(test, truth, 0).observations(), (double) sums[2] / tests);
+            ExpectedLength.of(test, truth(group), 0).observations(), (double) sums[2] / tests);
     }
 
     /** Observations that surely decide nothing, and one: half of those that are needed if all go one way. */
@@ -72,9 +60,19 @@ record PlayedTests(double accepted, double mean, double theory, double held) {
         return MadeUpGroup.pairs(new double[] {apart}, drawn, 0, push / RatingFit.ELO, new int[] {0, 1});
     }
 
-    private static double elo(Gsprt test, MadeUpGroup group) {
-        double[] moments = group.moments();
-        return test.model() == Gsprt.Model.NORMALIZED ? (moments[0] - 0.5) / Math.sqrt(moments[1] * 2) * 800
-            / StrictMath.log(10) : 400 / StrictMath.log(10) * StrictMath.log(moments[0] / (1 - moments[0]));
+    /** Scores as often as is to be expected. */
+    private static ScoreCounts truth(MadeUpGroup group) {
+        double[] scores = group.scores();
+        ScoreCounts truth = new ScoreCounts(2);
+        for (int way = 0; way < scores.length; way++) {
+            truth.add(scores[way], Math.round(group.chances()[way] * 0x1p40));
+        }
+        return truth;
+    }
+
+    private static double elo(Gsprt.Model model, ScoreCounts truth) {
+        double score = truth.mean();
+        return model == Gsprt.Model.LOGISTIC ? 400 * StrictMath.log10(score / (1 - score))
+            : (score - 0.5) / Math.sqrt(truth.variance() * 2) * 800 / StrictMath.log(10);
     }
 }

@@ -1,37 +1,32 @@
 package steward.league.promise;
 
 import java.util.Arrays;
-import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.function.DoubleUnaryOperator;
-import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import steward.league.rating.Difference;
 import steward.league.rating.RatingFit;
 import steward.league.rating.ScoreTest;
 import steward.league.rating.Stratum;
 
 /**
- * How often the bar of the difference of two bots without ties holds, exactly: the sum of the chances of all ways in
- * which their games can go. This jumps with the strength, as results come into their bars and leave them.
+ * How often the bar of the difference of two bots without ties holds, exactly, by how many Elo they are apart: the sum
+ * of the chances of all ways in which their games can go. This jumps with the strength, as results come into their bars
+ * and leave them.
  */
 final class TwoBots {
 
-    private static final double STEP = 5;
     private static final double Z = 1.959963984540054;
 
-    /** Whether a bar holds at a strength, after some of so many games were won. */
+    /** Share of bars that hold, by the expected score and the chances of each number of games won. */
     private interface Bar {
         double share(double score, double... chances);
     }
 
     private TwoBots() { }
 
-    private static DoubleSummaryStatistics over(double from, double to, DoubleUnaryOperator share) {
-        return DoubleStream.iterate(from, elo -> elo < to, elo -> elo + STEP).map(share).summaryStatistics();
-    }
-
-    /** Our bars after so many clusters of two games, for the differences {@code from}, {@code from} + 5, ... in Elo. */
-    static DoubleSummaryStatistics ours(int clusters, double from, double to) {
+    /** Our bars after so many clusters of two games. */
+    static DoubleUnaryOperator ours(int clusters) {
         Stratum stratum = MadeUpLeague.two(0).strata().get(0);
         Difference[][] found = new Difference[clusters + 1][clusters + 1];
         double[] factorials = new double[clusters + 1];
@@ -45,7 +40,7 @@ final class TwoBots {
                 found[won][shared] = new ScoreTest(RatingFit.of(2, List.of(stratum), false)).bounded(0, 1);
             }
         }
-        return over(from, to, elo -> {
+        return elo -> {
             MadeUpLeague league = MadeUpLeague.two(elo);
             double[] logs = Arrays.stream(league.groups().get(0).chances()).map(StrictMath::log).toArray();
             double share = 0;
@@ -58,12 +53,12 @@ final class TwoBots {
                 }
             }
             return share;
-        });
+        };
     }
 
     /** Bars that follow from the score alone. */
-    private static DoubleSummaryStatistics others(int games, double from, double to, Bar bar) {
-        return over(from, to, elo -> {
+    private static DoubleUnaryOperator others(int games, Bar bar) {
+        return elo -> {
             double score = 1 / (1 + StrictMath.pow(10, -elo / 400));
             double[] chances = {1};
             for (int game = 1; game <= games; game++) {
@@ -75,24 +70,19 @@ final class TwoBots {
                 chances = more;
             }
             return bar.share(score, chances);
-        });
+        };
     }
 
     /** E. B. Wilson, "Probable inference", Journal of the American Statistical Association 22, 1927. */
-    static DoubleSummaryStatistics wilson(int games, double from, double to) {
-        return others(games, from, to, (score, chances) -> {
-            double share = 0;
-            for (int won = 0; won <= games; won++) {
-                double apart = (double) won / games - score;
-                share += apart * apart <= Z * Z * score * (1 - score) / games ? chances[won] : 0;
-            }
-            return share;
-        });
+    static DoubleUnaryOperator wilson(int games) {
+        return others(games, (score, chances) -> IntStream.rangeClosed(0, games)
+            .filter(won -> Math.abs((double) won / games - score) <= Z * Math.sqrt(score * (1 - score) / games))
+            .mapToDouble(won -> chances[won]).sum());
     }
 
     /** The observed count counts half, and each side may have 2.5% (mid-P: H. O. Lancaster, Biometrika 36, 1949). */
-    static DoubleSummaryStatistics midP(int games, double from, double to) {
-        return others(games, from, to, (score, chances) -> {
+    static DoubleUnaryOperator midP(int games) {
+        return others(games, (score, chances) -> {
             double share = 0;
             double below = 0;
             for (double chance : chances) {
@@ -104,8 +94,8 @@ final class TwoBots {
     }
 
     /** For each strength the scores with a chance nearest to 95%: no bar that grows with the score is better. */
-    static DoubleSummaryStatistics nearest(int games, double from, double to) {
-        return others(games, from, to, (score, chances) -> {
+    static DoubleUnaryOperator nearest(int games) {
+        return others(games, (score, chances) -> {
             double best = 0;
             for (int first = 0; first <= games; first++) {
                 double share = 0;
