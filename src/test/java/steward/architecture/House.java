@@ -16,6 +16,7 @@ import com.tngtech.archunit.lang.ConditionEvents;
 import com.tngtech.archunit.lang.SimpleConditionEvent;
 import java.util.List;
 import java.util.Set;
+import java.util.function.BiPredicate;
 
 /**
  * The rules of the architecture, for a house with a given root package: the rooms, lowest first, which may only look
@@ -76,21 +77,26 @@ final class House {
 
     /** Imports point only downward. */
     ArchRule arrows() {
-        return classes().that().resideInAPackage(root + "..").should(new ArchCondition<>("only look downward") {
+        return classes().that().resideInAPackage(root + "..").should(dependOnlyWhere("only look downward",
+            (origin, target) -> level(origin) >= 0 && level(target) <= level(origin)));
+    }
+
+    /** A condition on a class and each class of the house that it depends on; the class itself is one of them. */
+    private ArchCondition<JavaClass> dependOnlyWhere(String words, BiPredicate<JavaClass, JavaClass> may) {
+        return new ArchCondition<>(words) {
             @Override
             public void check(JavaClass origin, ConditionEvents events) {
-                int level = level(origin);
-                if (level < 0) {
-                    events.add(SimpleConditionEvent.violated(origin, origin.getName() + " is in no known room"));
+                if (!may.test(origin, origin)) {
+                    events.add(SimpleConditionEvent.violated(origin, origin.getName() + " does not " + words));
                 }
                 for (Dependency dependency : origin.getDirectDependenciesFromSelf()) {
                     JavaClass target = dependency.getTargetClass().getBaseComponentType();
-                    if (target.getPackageName().startsWith(root + ".") && level(target) > level) {
+                    if (target.getPackageName().startsWith(root + ".") && !may.test(origin, target)) {
                         events.add(SimpleConditionEvent.violated(origin, dependency.getDescription()));
                     }
                 }
             }
-        });
+        };
     }
 
     private int level(JavaClass type) {
@@ -106,32 +112,14 @@ final class House {
 
     /** But for the pod race, which commands and formats of its own are made for, a game is known by a list alone. */
     ArchRule onlyTheListKnowsTheOtherGames() {
-        return classes().that().resideOutsideOfPackage(in("game.*")).should(new ArchCondition<>("know no such game") {
-            @Override
-            public void check(JavaClass origin, ConditionEvents events) {
-                boolean list = origin.getName().equals(root + ".cli.shared.Games");
-                for (Dependency dependency : origin.getDirectDependenciesFromSelf()) {
-                    String game = gameOf(dependency.getTargetClass().getBaseComponentType());
-                    if (!list && !game.isEmpty() && !game.equals(FIRST_GAME)) {
-                        events.add(SimpleConditionEvent.violated(origin, dependency.getDescription()));
-                    }
-                }
-            }
-        });
+        return classes().that().resideOutsideOfPackage(in("game.*")).should(dependOnlyWhere("know no such game",
+            (origin, target) -> origin.getName().equals(root + ".cli.shared.Games")
+                || Set.of("", FIRST_GAME).contains(gameOf(target))));
     }
 
     ArchRule gamesDoNotKnowEachOther() {
-        return classes().that().resideInAPackage(in("game.*")).should(new ArchCondition<>("know no other game") {
-            @Override
-            public void check(JavaClass origin, ConditionEvents events) {
-                for (Dependency dependency : origin.getDirectDependenciesFromSelf()) {
-                    String other = gameOf(dependency.getTargetClass().getBaseComponentType());
-                    if (!other.isEmpty() && !other.equals(gameOf(origin))) {
-                        events.add(SimpleConditionEvent.violated(origin, dependency.getDescription()));
-                    }
-                }
-            }
-        });
+        return classes().that().resideInAPackage(in("game.*")).should(dependOnlyWhere("know no other game",
+            (origin, target) -> Set.of("", gameOf(origin)).contains(gameOf(target))));
     }
 
     /** The name of the game that a class belongs to; empty for none. */

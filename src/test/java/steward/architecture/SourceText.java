@@ -1,0 +1,52 @@
+package steward.architecture;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+
+/** Texts of files in the repository, by path from its top, with slashes. */
+public final class SourceText {
+
+    private SourceText() {
+    }
+
+    /** One file. */
+    public static String of(String file) {
+        try {
+            return Files.readString(Path.of(file));
+        } catch (IOException problem) {
+            throw new UncheckedIOException(problem);
+        }
+    }
+
+    /** Java files of the three parts. */
+    static SortedMap<String, String> main() {
+        return below("src/engine/java", "src/main/java", "src/lab/java");
+    }
+
+    /** Java files below some folders. */
+    public static SortedMap<String, String> below(String... folders) {
+        return ofKind(".java", folders);
+    }
+
+    /** Files below some folders whose names end so. */
+    public static SortedMap<String, String> ofKind(String end, String... folders) {
+        SortedMap<String, String> texts = new TreeMap<>();
+        for (String folder : folders) {
+            try (Stream<Path> files = Files.walk(Path.of(folder))) {
+                for (Path file : files.filter(Files::isRegularFile).toList()) {
+                    if (file.toString().endsWith(end)) {
+                        texts.put(file.toString().replace('\\', '/'), of(file.toString()));
+                    }
+                }
+            } catch (IOException problem) {
+                throw new UncheckedIOException(problem);
+            }
+        }
+        return texts;
+    }
+}
