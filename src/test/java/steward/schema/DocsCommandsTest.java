@@ -3,7 +3,7 @@ package steward.schema;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
+import static steward.schema.PageShell.assertContains;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -35,8 +35,7 @@ class DocsCommandsTest {
     /** Puts the program and the README's bot into the folder. */
     @BeforeEach
     void prepare() throws IOException {
-        assumeTrue(PageShell.isThere("sh"), "skipped: there is no sh");
-        assumeTrue(PageShell.isThere("python3"), "skipped: there is no python3 on the PATH");
+        PageShell.need("python3");
         shell = new PageShell(folder, """
             case "$1 $*" in
               *--time-factor*) ;;
@@ -115,10 +114,6 @@ class DocsCommandsTest {
     private static void assertEndsByTheRules(String said) {
         assertTrue(Pattern.compile("finished after 3 laps|is out: no checkpoint in 101 turns").matcher(said).find(),
             () -> "expected a race that ends by the rules, found:\n" + said);
-    }
-
-    private static void assertContains(String expected, String said) {
-        assertTrue(said.contains(expected), () -> "expected " + expected + ", found:\n" + said);
     }
 
     @Test

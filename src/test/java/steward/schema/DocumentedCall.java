@@ -1,21 +1,17 @@
 package steward.schema;
 
-import java.io.IOException;
 import java.io.OutputStream;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.TreeSet;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine;
+import steward.architecture.SourceText;
 import steward.cli.Main;
 import steward.cli.streams.Streams;
 
@@ -27,8 +23,7 @@ final class DocumentedCall {
     private static final String GAMES_PATH = "--games-path";
     /** Tasks that Gradle's plugins bring. */
     private static final Set<String> PLUGIN_TASKS = Set.of("run", "test", "javadoc", "installDist", "classes",
-        "labTestClasses",
-        "checkstyleMain", "checkstyleTest", "checkstyleBots", "publishToMavenLocal");
+        "labTestClasses", "checkstyleMain", "checkstyleTest", "checkstyleBots", "publishToMavenLocal");
     private static final Pattern OWN_TASK = Pattern.compile("tasks\\.create\\('(\\w+)'");
     private static final Pattern PROPERTY = Pattern.compile("findProperty\\('([\\w.]+)'\\)");
     /** The list of properties that are handed to tests. */
@@ -94,7 +89,8 @@ final class DocumentedCall {
                 problem = filterProblem(arguments.get(k));
             } else if (argument.startsWith("-P")) {
                 problem = propertyProblem(argument.substring(2));
-            } else if (!argument.equals("-q") && !tasks().contains(argument)) {
+            } else if (!argument.equals("-q") && !PLUGIN_TASKS.contains(argument)
+                    && inBuild(OWN_TASK).noneMatch(argument::equals)) {
                 problem = "no task or option " + argument;
             }
             if (problem != null) {
@@ -104,27 +100,18 @@ final class DocumentedCall {
         return null;
     }
 
-    private static Set<String> tasks() {
-        Set<String> tasks = new TreeSet<>(PLUGIN_TASKS);
-        Matcher own = OWN_TASK.matcher(build());
-        while (own.find()) {
-            tasks.add(own.group(1));
-        }
-        return tasks;
+    /** What the first group of a pattern finds in the files of the build. */
+    private static Stream<String> inBuild(Pattern pattern) {
+        return Stream.of("build.gradle", "gradle/publish.gradle", "gradle/release.gradle")
+            .flatMap(file -> pattern.matcher(SourceText.of(file)).results()).map(found -> found.group(1));
     }
 
     private static String propertyProblem(String assignment) {
         String name = assignment.replaceAll("(?s)=.*", "");
         String value = assignment.substring(Math.min(assignment.length(), name.length() + 1));
-        Set<String> known = new TreeSet<>();
-        Matcher found = PROPERTY.matcher(build());
-        while (found.find()) {
-            known.add(found.group(1));
-        }
-        Matcher handed = TEST_PROPERTIES.matcher(build());
-        while (handed.find()) {
-            Stream.of(handed.group(1).split(", *")).forEach(word -> known.add("steward." + word.replace("'", "")));
-        }
+        Set<String> known = inBuild(PROPERTY).collect(Collectors.toCollection(TreeSet::new));
+        inBuild(TEST_PROPERTIES).flatMap(list -> Stream.of(list.split(", *")))
+            .forEach(word -> known.add("steward." + word.replace("'", "")));
         if (!known.contains(name)) {
             return "no property " + name + ", there are " + known;
         }
@@ -137,36 +124,17 @@ final class DocumentedCall {
 
     private static String benchmarkProblem(String pattern) {
         Pattern wanted = Pattern.compile(pattern);
-        boolean known = classes("src/jmh/java").stream().anyMatch(name -> wanted.matcher(name).find());
-        return known ? null : "no benchmark " + pattern;
+        return classes("src/jmh/java").anyMatch(name -> wanted.matcher(name).find()) ? null : "no benchmark " + pattern;
     }
 
     private static String filterProblem(String filter) {
         Pattern pattern = Pattern.compile("\\Q" + filter.replace("*", "\\E.*\\Q") + "\\E");
-        boolean known = Stream.of("engineTest", "test", "labTest")
-            .flatMap(part -> classes("src/" + part + "/java").stream())
-            .anyMatch(name -> pattern.matcher(name).matches());
-        return known ? null : "no class of tests is called " + filter;
+        return classes("src/engineTest/java", "src/test/java", "src/labTest/java")
+            .anyMatch(name -> pattern.matcher(name).matches()) ? null : "no class of tests is called " + filter;
     }
 
-    private static List<String> classes(String folder) {
-        Path root = Path.of(folder);
-        List<String> names = new ArrayList<>();
-        try (Stream<Path> files = Files.walk(root)) {
-            files.map(file -> root.relativize(file).toString()).filter(name -> name.endsWith(".java"))
-                .forEach(name -> names.add(name.replace(".java", "").replace('/', '.')));
-        } catch (IOException problem) {
-            throw new UncheckedIOException(problem);
-        }
-        return names;
-    }
-
-    private static String build() {
-        try {
-            return Files.readString(Path.of("build.gradle")) + Files.readString(Path.of("gradle/publish.gradle"))
-                + Files.readString(Path.of("gradle/release.gradle"));
-        } catch (IOException problem) {
-            throw new UncheckedIOException(problem);
-        }
+    private static Stream<String> classes(String... folders) {
+        return SourceText.below(folders).keySet().stream()
+            .map(file -> file.replaceAll("^src/\\w+/java/|\\.java$", "").replace('/', '.'));
     }
 }

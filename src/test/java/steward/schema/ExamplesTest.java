@@ -2,7 +2,6 @@ package steward.schema;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -27,7 +26,6 @@ class ExamplesTest {
 
     @BeforeEach
     void prepare() throws IOException {
-        assumeTrue(PageShell.isThere("sh"), "skipped: there is no sh");
         shell = new PageShell(folder, "");
     }
 
@@ -61,7 +59,7 @@ class ExamplesTest {
     @Test
     @Tag("campaign")
     void fiveVersionsPlayALeague() throws IOException, InterruptedException {
-        assumeTrue(PageShell.isThere("python3"), "skipped: there is no python3 on the PATH");
+        PageShell.need("python3");
         String said = shell.runLine(0, "sh " + example("shell/league-of-five.sh"));
         for (int thrust : new int[] {100, 120, 140, 160, 200}) {
             assertTrue(said.contains(" thrust" + thrust + " "), said);

@@ -11,18 +11,20 @@ import java.util.Map;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
+import steward.architecture.SourceText;
 
 /**
  * Parts of a page of Markdown that the tests of the manual look at: code, code within sentences, links and headings.
  *
- * @param path     of the page, from the top of the repository
- * @param code     lines of code blocks, those continued by a backslash joined; blocks of JSON, Java or Python left out
- * @param spans    code within sentences
- * @param links    where links and pictures lead
- * @param headings as fragments of a link
+ * @param path      of the page, from the top of the repository
+ * @param code      lines of code blocks, those continued by a backslash joined; blocks of JSON, Java or Python left out
+ * @param spans     code within sentences
+ * @param links     where links and pictures lead
+ * @param headings  as fragments of a link
+ * @param sentences each with the line in which its paragraph, item or cell begins
  */
-record MarkdownPage(String path, List<Piece> code, List<Piece> spans, List<Piece> links, List<String> headings) {
+record MarkdownPage(String path, List<Piece> code, List<Piece> spans, List<Piece> links, List<String> headings,
+                    List<Piece> sentences) {
 
     private static final Set<String> OTHER_LANGUAGES = Set.of("json", "java", "python");
     private static final Pattern FENCE = Pattern.compile("\\s*```(\\w*)\\s*");
@@ -45,16 +47,11 @@ record MarkdownPage(String path, List<Piece> code, List<Piece> spans, List<Piece
 
     /** README, manual, and what is written for contributors. */
     static List<MarkdownPage> all() throws IOException {
+        List<String> paths = new ArrayList<>(List.of("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md"));
+        paths.addAll(SourceText.ofKind(".md", "docs").keySet());
         List<MarkdownPage> pages = new ArrayList<>();
-        for (String path : List.of("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md")) {
+        for (String path : paths) {
             pages.add(read(path));
-        }
-        try (Stream<Path> files = Files.walk(Path.of("docs"))) {
-            for (Path file : files.sorted().toList()) {
-                if (file.toString().endsWith(".md")) {
-                    pages.add(read(file.toString()));
-                }
-            }
         }
         return pages;
     }
@@ -71,6 +68,7 @@ record MarkdownPage(String path, List<Piece> code, List<Piece> spans, List<Piece
     static MarkdownPage of(String path, String text) {
         List<Piece> code = new ArrayList<>();
         List<String> headings = new ArrayList<>();
+        MarkdownProse sentences = new MarkdownProse();
         StringBuilder prose = new StringBuilder();
         String fence = null;
         boolean mayBeCode = true;
@@ -87,7 +85,9 @@ record MarkdownPage(String path, List<Piece> code, List<Piece> spans, List<Piece
                 prose.append(line);
             }
             prose.append('\n');
-            mayBeCode = isCode || line.isBlank();
+            boolean isComment = line.startsWith("<!--");
+            sentences.add(k + 1, isCode || isComment || mark.matches() ? "" : line.strip());
+            mayBeCode = isCode || isComment || line.isBlank();
             Matcher heading = HEADING.matcher(line);
             if (!isCode && heading.matches()) {
                 headings.add(fragment(heading.group(1)));
@@ -95,7 +95,7 @@ record MarkdownPage(String path, List<Piece> code, List<Piece> spans, List<Piece
         }
         String withoutSpans = SPAN.matcher(prose).replaceAll(span -> span.group().replaceAll("[^\n]", "_"));
         return new MarkdownPage(path, List.copyOf(code), pieces(SPAN, prose.toString()), pieces(LINK, withoutSpans),
-            distinct(headings));
+            distinct(headings), sentences.sentences());
     }
 
     private static void addCode(List<Piece> code, int number, String line) {

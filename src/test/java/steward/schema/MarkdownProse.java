@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
 
-/** Sentences of a page of Markdown: of paragraphs, list items, headings and cells of tables, without code blocks. */
+/** Sentences of a page of Markdown: of paragraphs, list items, headings and cells of tables. */
 final class MarkdownProse {
 
     private static final Pattern BEGINS_UNIT = Pattern.compile("(?:#+|[-*>]|\\d+\\.) .*");
@@ -16,41 +16,21 @@ final class MarkdownProse {
     private final StringBuilder unit = new StringBuilder();
     private int begun;
 
-    private MarkdownProse() {
-    }
-
-    /** Returns all sentences of a page, each with the line in which its paragraph, item or cell begins. */
-    static List<MarkdownPage.Piece> sentences(String text) {
-        MarkdownProse prose = new MarkdownProse();
-        boolean fenced = false;
-        boolean mayBeCode = true;
-        String[] lines = text.split("\n", -1);
-        for (int k = 0; k < lines.length; k++) {
-            String line = lines[k].strip();
-            boolean fence = line.startsWith("```");
-            boolean comment = line.startsWith("<!--");
-            boolean code = fenced || fence || mayBeCode && lines[k].startsWith("    ");
-            fenced ^= fence;
-            mayBeCode = code || comment || line.isEmpty();
-            if (mayBeCode || line.startsWith("|") || BEGINS_UNIT.matcher(line).matches()) {
-                prose.end();
-            }
-            if (line.startsWith("|") && !code) {
-                for (String cell : CELL_END.split(line)) {
-                    prose.add(k + 1, cell.strip());
-                    prose.end();
-                }
-            } else if (!mayBeCode) {
-                prose.add(k + 1, line);
+    /** Adds the next line of a page without the blanks around it; of code, fences and comments an empty one. */
+    void add(int number, String line) {
+        if (line.isEmpty() || line.startsWith("|") || BEGINS_UNIT.matcher(line).matches()) {
+            end();
+        }
+        if (line.isEmpty()) {
+            return;
+        }
+        for (String text : line.startsWith("|") ? CELL_END.split(line) : new String[] {line}) {
+            begun = unit.isEmpty() ? number : begun;
+            unit.append(text.strip()).append(' ');
+            if (line.startsWith("|")) {
+                end();
             }
         }
-        prose.end();
-        return prose.sentences;
-    }
-
-    private void add(int line, String text) {
-        begun = unit.isEmpty() ? line : begun;
-        unit.append(text).append(' ');
     }
 
     /** Divides the paragraph, item or cell that has been read; code within it is one word, a link the words shown. */
@@ -61,6 +41,12 @@ final class MarkdownProse {
             sentences.add(new MarkdownPage.Piece(begun, sentence));
         }
         unit.setLength(0);
+    }
+
+    /** Returns all sentences, each with the line in which its paragraph, item or cell begins. */
+    List<MarkdownPage.Piece> sentences() {
+        end();
+        return sentences;
     }
 
     /** Returns the number of words; signs that stand alone are none. */

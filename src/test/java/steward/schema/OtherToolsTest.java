@@ -3,6 +3,7 @@ package steward.schema;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
+import static steward.schema.PageShell.assertContains;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -65,10 +66,6 @@ class OtherToolsTest {
     private static String shortened(String line) {
         assertTrue(line.contains("-n 100"), line);
         return line.replace("-n 100", "-n 2");
-    }
-
-    private static void assertContains(String expected, String said) {
-        assertTrue(said.contains(expected), () -> "expected " + expected + ", found:\n" + said);
     }
 
     @Test

@@ -2,6 +2,7 @@ package steward.schema;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
@@ -27,6 +28,7 @@ final class PageShell {
      * @param first  folders that programs are looked for in, before those of the PATH
      */
     PageShell(Path folder, String before, Path... first) throws IOException {
+        need("sh");
         this.folder = folder;
         StringBuilder folders = new StringBuilder(folder.resolve("bin").toString());
         for (Path one : first) {
@@ -39,12 +41,19 @@ final class PageShell {
         executable("bin/steward", before + "exec " + program + " \"$@\"\n");
     }
 
-    static boolean isThere(String program) {
+    /** Skips the test if a program is missing that runs {@code -c ""}. */
+    static void need(String program) {
+        boolean there;
         try {
-            return new ProcessBuilder(program, "-c", "").start().waitFor() == 0;
+            there = new ProcessBuilder(program, "-c", "").start().waitFor() == 0;
         } catch (IOException | InterruptedException problem) {
-            return false;
+            there = false;
         }
+        assumeTrue(there, () -> "skipped: there is no " + program + " on the PATH");
+    }
+
+    static void assertContains(String expected, String said) {
+        assertTrue(said.contains(expected), () -> "expected " + expected + ", found:\n" + said);
     }
 
     void executable(String name, String script) throws IOException {

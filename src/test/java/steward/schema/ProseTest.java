@@ -23,7 +23,8 @@ class ProseTest {
     private static final Pattern FIGURES = Pattern.compile("(?m)^[|>].*$");
 
     private static List<String> longSentences(String path, String text) {
-        return MarkdownProse.sentences(text).stream().filter(one -> MarkdownProse.words(one.text()) > MOST_WORDS)
+        return MarkdownPage.of(path, text).sentences().stream()
+            .filter(one -> MarkdownProse.words(one.text()) > MOST_WORDS)
             .map(one -> path + ":" + one.line() + ": " + MarkdownProse.words(one.text()) + " words: " + one.text())
             .toList();
     }

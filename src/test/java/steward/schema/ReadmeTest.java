@@ -13,8 +13,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import javax.tools.JavaCompiler;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Tag;
@@ -45,12 +43,16 @@ class ReadmeTest {
     private static final String PROTOCOL = "docs/protocol.md";
 
     private static String block(String page, String language, int number) throws IOException {
-        Matcher fences = Pattern.compile("```" + language + "\\R(.*?)```", Pattern.DOTALL)
-            .matcher(Files.readString(Path.of(page)));
-        for (int k = 0; k <= number; k++) {
-            assertTrue(fences.find(), page + ": " + language + " block " + k);
-        }
-        return fences.group(1);
+        return PageShell.fenced(page, "```" + language + "\\R(.*?)```", number);
+    }
+
+    /** Compiles a source into a folder. */
+    private static void compile(Path folder, String name, String text) throws IOException {
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        assumeTrue(compiler != null, "skipped: this Java has no compiler");
+        ByteArrayOutputStream said = new ByteArrayOutputStream();
+        assertEquals(0, compiler.run(null, said, said, "-cp", System.getProperty("java.class.path"), "-proc:none", "-d",
+            folder.toString(), Files.writeString(folder.resolve(name), text).toString()), said::toString);
     }
 
     @Test
@@ -74,11 +76,10 @@ class ReadmeTest {
     @Test
     @Tag("process")
     void theBotWinsTheMatchThatIsShown(@TempDir Path folder) throws Exception {
-        String python = "python3";
-        assumeTrue(runs(python), "skipped: there is no python3 on the PATH");
+        PageShell.need("python3");
         Path bot = Files.writeString(folder.resolve("bot.py"), block("README.md", "python", 0));
         MatchResult result = new Referee(TestScenes.open("mad-pod-racing"), 7,
-            List.of(new BotProcess("me", List.of(python, bot.toString())),
+            List.of(new BotProcess("me", List.of("python3", bot.toString())),
                 new InProcessPlayer("racer", BundledBotMatches.asBot(new Racer()))),
             TimeControl.UNLIMITED, new MatchListener() { }).play();
 
@@ -92,22 +93,15 @@ class ReadmeTest {
     @Test
     @Tag("slow")
     void theMatchInJavaCompiles(@TempDir Path folder) throws IOException {
-        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-        assumeTrue(compiler != null, "skipped: this Java has no compiler");
         String page = block("docs/library.md", "java", 1);
-        Path source = Files.writeString(folder.resolve("Readme.java"), page.substring(0, page.indexOf("public class"))
+        compile(folder, "Readme.java", page.substring(0, page.indexOf("public class"))
             + "class Readme {\n    void play() throws Exception {\n" + block("README.md", "java", 0) + "    }\n}\n");
-        ByteArrayOutputStream said = new ByteArrayOutputStream();
-        assertEquals(0, compiler.run(null, said, said, "-cp", System.getProperty("java.class.path"), "-proc:none", "-d",
-            folder.toString(), source.toString()), said::toString);
     }
 
     /** The library's page reads the places of all pods of a race as the race itself has them. */
     @Test
     @Tag("slow")
     void theStatesOfAReplayAreRecords(@TempDir Path folder) throws Exception {
-        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
-        assumeTrue(compiler != null, "skipped: this Java has no compiler");
         Path race = folder.resolve("race.jsonl");
         List<String> played = new ArrayList<>();
         try (ReplayWriter writer = new ReplayWriter(Files.newOutputStream(race), new ReplayHeader("pod-race",
@@ -132,12 +126,9 @@ class ReadmeTest {
                     }
                 })).play();
         }
-        Path source = Files.writeString(folder.resolve("ReplayStates.java"), block("docs/library.md", "java", 2)
+        compile(folder, "ReplayStates.java", block("docs/library.md", "java", 2)
             .replace("void main(String[] files)", "void read(java.util.List<String> lines, String... files)")
             .replace("System.out.println(", "lines.add("));
-        ByteArrayOutputStream said = new ByteArrayOutputStream();
-        assertEquals(0, compiler.run(null, said, said, "-cp", System.getProperty("java.class.path"), "-proc:none", "-d",
-            folder.toString(), source.toString()), said::toString);
         List<String> read = new ArrayList<>();
         try (URLClassLoader loader = new URLClassLoader(new URL[] {folder.toUri().toURL()})) {
             loader.loadClass("ReplayStates").getMethod("read", List.class, String[].class)
@@ -146,13 +137,5 @@ class ReadmeTest {
 
         assertTrue(read.size() > 400, read.size() + " lines");
         assertEquals(played, read);
-    }
-
-    private static boolean runs(String program) {
-        try {
-            return new ProcessBuilder(program, "--version").start().waitFor() == 0;
-        } catch (IOException | InterruptedException problem) {
-            return false;
-        }
     }
 }

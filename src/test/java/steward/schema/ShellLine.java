@@ -2,27 +2,23 @@ package steward.schema;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Takes a line of shell apart into its commands, as far as the manual uses the shell: quotes, comments, pipes,
- * redirections, variables set before a command, and command lines that are an argument of another program.
+ * Commands of a line of shell, as far as the manual uses the shell: quotes, comments, pipes, redirections, variables
+ * set before a command, and command lines that are an argument of another program.
  */
 final class ShellLine {
 
     private static final Pattern OURS =
         Pattern.compile("(?s).*(?:^|[\\s\"'(])(?:steward|\\./gradlew)(?:\\s.*|[\"')]*$)");
-    private static final Pattern ASSIGNMENT = Pattern.compile("[A-Za-z_]\\w*=.*");
+    private static final Pattern BEFORE_COMMAND = Pattern.compile("(?s)env|-i|[A-Za-z_]\\w*=.*");
+    /** A part of a word, in single quotes, in double ones, after a backslash or bare; or what ends a word. */
+    private static final Pattern PART = Pattern.compile("(?s)'(?<single>[^']*)'|\"(?<twice>(?:\\\\.|[^\"\\\\])*)\""
+        + "|\\\\(?<escaped>.)|(?<end>(?<![^ \\t|;&()])#.*|[|;&()])|(?<redirection>[<>])|[ \\t]+|(?<bare>.)");
 
-    private final String text;
-    private final List<List<String>> commands = new ArrayList<>();
-    private List<String> words = new ArrayList<>();
-    private StringBuilder word;
-    private boolean redirected;
-    private int at;
-
-    private ShellLine(String text) {
-        this.text = text;
+    private ShellLine() {
     }
 
     /** The calls of {@code steward} and of {@code ./gradlew} in a line, in its order; each begins with that word. */
@@ -31,9 +27,9 @@ final class ShellLine {
         if (!OURS.matcher(line).matches()) {
             return calls;
         }
-        for (List<String> command : new ShellLine(line).split()) {
+        for (List<String> command : commands(line)) {
             int start = 0;
-            while (start < command.size() && isBeforeCommand(command.get(start))) {
+            while (start < command.size() && BEFORE_COMMAND.matcher(command.get(start)).matches()) {
                 start++;
             }
             List<String> rest = command.subList(start, command.size());
@@ -47,65 +43,29 @@ final class ShellLine {
         return calls;
     }
 
-    private static boolean isBeforeCommand(String word) {
-        return word.equals("env") || word.equals("-i") || ASSIGNMENT.matcher(word).matches();
-    }
-
-    private List<List<String>> split() {
-        while (at < text.length()) {
-            char c = text.charAt(at++);
-            switch (c) {
-                case ' ', '\t' -> endWord();
-                case '|', ';', '&', '(', ')' -> endCommand();
-                case '<', '>' -> {
-                    endWord();
-                    redirected = true;
-                }
-                case '\'', '"' -> quoted(c);
-                case '\\' -> add(text.charAt(at++));
-                case '#' -> {
-                    if (word == null) {
-                        at = text.length();
-                    } else {
-                        add(c);
-                    }
-                }
-                default -> add(c);
+    private static List<List<String>> commands(String line) {
+        List<List<String>> commands = new ArrayList<>(List.of(new ArrayList<>()));
+        String word = null;
+        boolean redirected = false;
+        Matcher part = PART.matcher(line + ";");
+        while (part.find()) {
+            String twice = part.group("twice");
+            String text = part.group("single") != null ? part.group("single")
+                : twice != null ? twice.replaceAll("\\\\([\"\\\\$`])", "$1")
+                : part.group("escaped") != null ? part.group("escaped") : part.group("bare");
+            if (text != null) {
+                word = word == null ? text : word + text;
+                continue;
+            }
+            if (word != null && !redirected) {
+                commands.get(commands.size() - 1).add(word);
+            }
+            redirected = part.group("redirection") != null || redirected && word == null && part.group("end") == null;
+            word = null;
+            if (part.group("end") != null) {
+                commands.add(new ArrayList<>());
             }
         }
-        endCommand();
         return commands;
-    }
-
-    private void add(char c) {
-        word = word == null ? new StringBuilder() : word;
-        word.append(c);
-    }
-
-    private void quoted(char quote) {
-        word = word == null ? new StringBuilder() : word;
-        while (text.charAt(at) != quote) {
-            boolean protects = quote == '"' && text.charAt(at) == '\\' && "\"\\$`".indexOf(text.charAt(at + 1)) >= 0;
-            at += protects ? 1 : 0;
-            add(text.charAt(at++));
-        }
-        at++;
-    }
-
-    private void endWord() {
-        if (word != null && !redirected) {
-            words.add(word.toString());
-        }
-        redirected = redirected && word == null;
-        word = null;
-    }
-
-    private void endCommand() {
-        endWord();
-        redirected = false;
-        if (!words.isEmpty()) {
-            commands.add(words);
-        }
-        words = new ArrayList<>();
     }
 }

@@ -2,7 +2,6 @@ package steward.schema;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -28,8 +27,7 @@ class WorkedScenesTest {
 
     @BeforeEach
     void prepare() throws IOException {
-        assumeTrue(PageShell.isThere("sh"), "skipped: there is no sh");
-        assumeTrue(PageShell.isThere("python3"), "skipped: there is no python3 on the PATH");
+        PageShell.need("python3");
         shell = new PageShell(folder, "");
         for (String file : List.of("plot.py", "break.json", "balls.csv")) {
             Files.copy(Path.of("docs/scenes", file), folder.resolve(file));
