@@ -25,16 +25,12 @@ import steward.bots.searchrace.Driver;
 import steward.game.GameSetup;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
-import steward.scene.SceneReader;
-import steward.scene.json.SceneException;
 
-/**
- * The schemas of the games that are no pod race against real traffic, and against what the reader of scenes says. Those
- * of the pod race: {@link TrafficTest}, {@link SceneSchemaTest}.
- */
+/** The schemas of the games that are no pod race against real traffic; that of the pod race: {@link TrafficTest}. */
 class GameSchemasTest {
 
-    private static Schema schemaOf(String game, String line) {
+    /** The schema of a frame, or else of an answer. */
+    static Schema schemaOf(String game, String line) {
         for (String type : List.of("setup", "turn", "end")) {
             if (line.contains("\"type\":\"" + type + "\"")) {
                 return Schemas.open(game, type);
@@ -148,101 +144,6 @@ class GameSchemasTest {
         assertEquals(bots.size() > 2, match.result().turns() > 5, match.result()::toString);
         assertTrue(match.text().contains(problem), match.text());
         checkReplay(game, match);
-    }
-
-    /** Each row: a part of the shipped scene, what stands there instead, and the verdict of both. */
-    @ParameterizedTest
-    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-        mean-max | "winningScore": 50 | "winningScore": 1 | true
-        mean-max | "winningScore": 50 | "winningScore": 0 | false
-        mean-max | "winningScore": 50 | "winningScore": 1001 | false
-        mean-max | "maximumTurns": 200 | "maximumTurns": 10001 | false
-        mean-max | "players": 3 | "players": 2 | false
-        mean-max | "harvest" | "motion": {}, "harvest" | false
-        mean-max | "harvest" | "race": {}, "harvest" | false
-        mean-max | "harvest" | "harvst" | false
-        mean-max | "radius": 6000 | "radius": 6001 | false
-        mean-max | "x": 0, | "x": 1, | false
-        mean-max | "type": "arena" | "type": "ring" | false
-        mean-max | "pushOut": 1e-5 | "pushOut": 2e-5 | false
-        mean-max | "minimumImpulse": 30 | "minimumImpulse": 31 | false
-        mean-max | "pushOut": 1e-5 | "pushOut": 1e-5, "maximumImpactsPerTurn": 9 | true
-        mean-max | "x": -6000 | "x": "left" | false
-        mean-max | "arithmetic": "official" | "arithmetic": "exact" | true
-        fantastic-bits | "variant": "puzzle" | "variant": "contest" | true
-        fantastic-bits | "variant": "puzzle" | "variant": "league" | false
-        fantastic-bits | "maximumTurns": 200 | "maximumTurns": 10001 | false
-        fantastic-bits | "maximumTurns": 200 | "maximumTurns": 1 | true
-        fantastic-bits | "players": 2 | "players": 3 | false
-        fantastic-bits | "match" | "motion": {}, "match" | false
-        fantastic-bits | "match" | "race": {}, "match" | false
-        fantastic-bits | "match" | "mach" | false
-        fantastic-bits | "width": 16000 | "width": 8000 | true
-        fantastic-bits | "x": 16150 | "x": 16000 | false
-        fantastic-bits | "y": 1750 | "y": 1751 | false
-        fantastic-bits | "radius": 300 | "radius": 300, "restitution": 0.5 | false
-        fantastic-bits | "pushOut": 1e-5 | "pushOut": 2e-5 | false
-        fantastic-bits | "batchWindow": 1e-5, |  | false
-        fantastic-bits | "minimumImpulse": 100 | "minimumImpulse": 101 | false
-        fantastic-bits | "minimumImpulse": 100 | "minimumImpulse": 100, "deadZone": 1 | false
-        fantastic-bits | "minimumImpulse": 100 | "minimumImpulse": 100, "restSpeed": 1 | false
-        fantastic-bits | "pushOut": 1e-5 | "pushOut": 1e-5, "maximumImpactsPerTurn": 9 | true
-        fantastic-bits | "arithmetic": "official" | "arithmetic": "exact" | true
-        poker-chip-race | "maximumTurns": 300 | "maximumTurns": 1 | true
-        poker-chip-race | "maximumTurns": 300 | "maximumTurns": 0 | false
-        poker-chip-race | "maximumTurns": 300 | "maximumTurns": 1001 | false
-        poker-chip-race | "maximumTurns": 300 | "neutral": 0, "perPlayer": 20, "radius": 1.5, "maximumTurns": 9 | true
-        poker-chip-race | "maximumTurns": 300 | "symmetric": true, "maximumTurns": 9 | true
-        poker-chip-race | "maximumTurns": 300 | "maximumTurns": 9, "neutral": 201 | false
-        poker-chip-race | "maximumTurns": 300 | "maximumTurns": 9, "perPlayer": 0 | false
-        poker-chip-race | "maximumTurns": 300 | "maximumTurns": 9, "radius": 0.5 | false
-        poker-chip-race | "maximumTurns": 300 | "maximumTurns": 9, "symmetric": 1 | false
-        poker-chip-race | "maximumTurns": 300 | "neutral": 3 | false
-        poker-chip-race | "players": 2 | "players": 4 | true
-        poker-chip-race | "players": 2 | "players": 5 | false
-        poker-chip-race | "players": 2 | "players": 1 | false
-        poker-chip-race | "chips" | "motion": {}, "chips" | false
-        poker-chip-race | "chips" | "harvest": {}, "chips" | false
-        poker-chip-race | "chips" | "chps" | false
-        poker-chip-race | "x": -400 | "x": 0 | false
-        poker-chip-race | "height": 515 | "height": 516 | false
-        poker-chip-race | "walls": "box" | "walls": [] | false
-        poker-chip-race | "chips" | "impacts": {"maximumImpactsPerTurn": 9}, "chips" | true
-        poker-chip-race | "chips" | "impacts": {"pushOut": 1e-5}, "chips" | false
-        poker-chip-race | "chips" | "impacts": {"minimumImpulse": 3}, "chips" | false
-        poker-chip-race | "chips" | "impacts": {"restSpeed": 1}, "chips" | false
-        poker-chip-race | "arithmetic": "official" | "arithmetic": "exact" | true
-        poker-chip-race | "official" } | "exact" }, "impacts": {"restSpeed": 1} | true
-        search-race | "by seed" | "by seed" | true
-        search-race | "by seed" | 7 | true
-        search-race | "by seed" | 704 | true
-        search-race | "by seed" | 703 | false
-        search-race | "by seed" | "random" | false
-        search-race | "official": "by seed" | "points": [{"x":1,"y":2},{"x":3,"y":4}] | true
-        search-race | "official": "by seed" | "points": [{"x":1,"y":2},{"x":3,"y":4.5}] | false
-        search-race | "official": "by seed" | "points": [{"x":1,"y":2}] | false
-        search-race | "official": "by seed" | "official": 7, "points": [{"x":1,"y":2},{"x":3,"y":4}] | false
-        search-race | "official": "by seed" | "maps": 7 | false
-        search-race | "players": 1 | "players": 2 | false
-        search-race | "maximumTurns": 600 | "maximumTurns": 1001 | false
-        search-race | "laps": 3 | "laps": 0 | false
-        search-race | "map" | "impacts": {}, "map" | false
-        search-race | "map" | "pods": {}, "map" | false
-        search-race | "velocity": "truncate-snap" | "velocity": "truncate" | true
-        search-race | "arithmetic": "official" | "arithmetic": "double" | true
-        """)
-    void readerAndSchemaAgree(String game, String part, String instead, boolean valid) {
-        String scene = TestScenes.text(game);
-        assertTrue(scene.contains(part), part);
-        String text = scene.replace(part, instead == null ? "" : instead);
-        String refusal = null;
-        try {
-            TestScenes.TYPES.open(SceneReader.read(text, "s.json"));
-        } catch (SceneException problem) {
-            refusal = problem.getMessage();
-        }
-        assertEquals(valid, refusal == null, refusal);
-        assertEquals(valid, Schemas.problems(Schemas.open(game, "scene"), text).isEmpty(), text);
     }
 
     /** A fault in its fifth turn is worth the score of a race that is lost. */

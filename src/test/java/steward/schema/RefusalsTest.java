@@ -4,14 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import steward.bot.Bot;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
@@ -19,39 +17,21 @@ import steward.replay.Recorded;
 /** A schema that accepts anything would pass every other test: here valid lines are spoilt, one field at a time. */
 class RefusalsTest {
 
-    private static final List<String> FRAMES = new ArrayList<>();
+    private static List<String> frames;
     private static List<String> replay;
 
     @BeforeAll
     static void playMatch() {
-        Bot listening = new Bot() {
-            private final SeededBot bot = new SeededBot(1, 0.5);
-
-            @Override
-            public void setup(String line) {
-                FRAMES.add(line);
-                bot.setup(line);
-            }
-
-            @Override
-            public String turn(String line) {
-                FRAMES.add(line);
-                return bot.turn(line);
-            }
-
-            @Override
-            public void end(String line) {
-                FRAMES.add(line);
-            }
-        };
+        HeardBot listening = new HeardBot(new SeededBot(1, 0.5), Integer.MAX_VALUE);
         replay = Recorded.of(TestScenes.open("walled-race"), 2, List.of(listening, new SeededBot(2, 0.5))).lines();
+        frames = listening.lines().stream().filter(line -> line.startsWith("{\"type\":")).toList();
     }
 
     private static String valid(String what) {
         return switch (what) {
-            case "setup" -> FRAMES.get(0);
-            case "turn" -> FRAMES.get(5);
-            case "end" -> FRAMES.get(FRAMES.size() - 1);
+            case "setup" -> frames.get(0);
+            case "turn" -> frames.get(5);
+            case "end" -> frames.get(frames.size() - 1);
             case "header" -> replay.get(0);
             case "result" -> replay.get(replay.size() - 1);
             default -> replay.stream().filter(line -> line.contains("\"impacts\":[{") && line.contains(",\"b\":"))
