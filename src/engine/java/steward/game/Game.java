@@ -120,6 +120,11 @@ public interface Game {
     /** The bodies now. */
     Bodies bodies();
 
+    /** Returns how many bodies are at rest now, or -1 where none can come to rest. */
+    default int bodiesAtRest() {
+        return -1;
+    }
+
     /** Impacts and path knots of the last turn. */
     TurnLog log();
 

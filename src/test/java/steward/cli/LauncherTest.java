@@ -158,6 +158,19 @@ class LauncherTest {
         assertFalse(Files.exists(lock));
     }
 
+    /** Long runs need the compiler that optimizes, short ones start faster without it; options in both forms. */
+    @Test
+    void whatMayTakeLongIsNotLeftToTheQuickCompiler() throws IOException, InterruptedException {
+        String quick = "-XX:TieredStopAtLevel=1\n-XX:+UseSerialGC\n-XX:-UsePerfData\n-Xshare:auto\n";
+        for (String call : List.of("run bowl", "run bowl --turns 200", "match duel -b x -g 5", "match duel -g5",
+            "match duel --games 5", "match duel --games=5", "match duel --swap", "sprt", "tournament")) {
+            assertFalse(started("17", LINUX, call.split(" ")).contains(quick), call);
+        }
+        for (String call : List.of("match duel -b x", "explain bowl", "replay x", "demo")) {
+            assertTrue(started("17", LINUX, call.split(" ")).contains(quick), call);
+        }
+    }
+
     /** A longer class path slows down every start. */
     @Test
     void theLabStandsLastAndOnlyWhereItIsNeeded() throws IOException, InterruptedException {

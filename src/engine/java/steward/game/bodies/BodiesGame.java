@@ -256,14 +256,34 @@ public final class BodiesGame extends AbstractGame {
         return takers[disc];
     }
 
+    /**
+     * {@inheritDoc} These are slower than the scene's restBelow, in flight too. Without that they go in a turn less
+     * than the share of their radius up to which a gap counts as contact.
+     */
+    @Override
+    public int bodiesAtRest() {
+        if (rules.restBelow() == 0 && !plan.physics(pockets).law().bodiesRest()) {
+            return -1;
+        }
+        int count = 0;
+        for (int k = 0; k < discsLeft(); k++) {
+            double bound = rules.restBelow() > 0 ? rules.restBelow() : bodies.radius[k] / Rest.NEAR;
+            count += bodies.inverseMass[k] > 0 && isSlower(k, bound) ? 1 : 0;
+        }
+        return count;
+    }
+
+    private boolean isSlower(int k, double bound) {
+        return bodies.vx[k] * bodies.vx[k] + bodies.vy[k] * bodies.vy[k] < bound * bound;
+    }
+
     private boolean isAtRest() {
-        double bound = rules.restBelow() * rules.restBelow();
-        if (bound == 0) {
+        if (rules.restBelow() == 0) {
             return false;
         }
         for (int k = 0; k < discsLeft(); k++) {
-            if (bodies.inverseMass[k] > 0 && !(bodies.vx[k] * bodies.vx[k] + bodies.vy[k] * bodies.vy[k] < bound
-                && (!rules.forces().act() || isCarried(k)))) {
+            if (bodies.inverseMass[k] > 0
+                && !(isSlower(k, rules.restBelow()) && (!rules.forces().act() || isCarried(k)))) {
                 return false;
             }
         }

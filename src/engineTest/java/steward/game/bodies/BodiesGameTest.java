@@ -67,6 +67,27 @@ class BodiesGameTest {
     }
 
     /**
+     * Two discs of radius 10 on a bumper each, the second lets fall from 300 above: one rests, then both. Where nothing
+     * loses speed there is nothing to count.
+     */
+    @Test
+    void bodiesAtRestAreCounted() {
+        String bodies = "{\"x\": 200, \"y\": 300, \"radius\": 10, \"restitution\": 0.5}, {\"x\": 600, \"y\": 100, "
+            + "\"radius\": 10, \"restitution\": 0.5}, {\"x\": 200, \"y\": 400, \"radius\": 90, "
+            + "\"mass\": \"infinite\"}, {\"x\": 600, \"y\": 400, \"radius\": 90, \"mass\": \"infinite\"}";
+        Game game = open(0, bodies, "\"maximumTurns\": 200, \"gravity\": {\"x\": 0, \"y\": 2}").create(0);
+        game.play();
+        assertEquals(1, game.bodiesAtRest());
+        while (!game.isOver()) {
+            game.play();
+        }
+        assertEquals(2, game.bodiesAtRest());
+        String elastic = bodies.replace("0.5", "1");
+        assertEquals(-1, open(0, elastic, "\"maximumTurns\": 9").create(0).bodiesAtRest());
+        assertEquals(2, open(0, elastic, "\"maximumTurns\": 9, \"restBelow\": 1").create(0).bodiesAtRest());
+    }
+
+    /**
      * Player 0 pushes its body onto that of player 1, and from there into the zone.
      * <pre>
      *   0 -&gt;   1 -&gt;       (zone)

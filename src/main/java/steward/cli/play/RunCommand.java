@@ -129,7 +129,7 @@ public final class RunCommand extends ProgramCommand {
              });
              ProgressLine progress = ProgressLine.watched(streams, "turns", contest.setup().mostTurns())) {
             OutputStream written = display == null ? recording : display.with(recording);
-            result = contest.play(used, 0, written, tables.following(progress::step));
+            result = contest.play(used, 0, written, tables.following(() -> progress.step(tables::standing)));
             hint.over();
             if (recording != null && recording.isBroken()) {
                 throw new FailedException(recording.problem());

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import steward.cli.shared.Games;
 import steward.files.InputException;
 import steward.files.OutputFiles;
@@ -140,6 +141,14 @@ final class RunTables implements MatchListener, AutoCloseable {
     MatchListener following(Runnable everyTurn) {
         step = everyTurn;
         return this;
+    }
+
+    /** Returns how many bodies that can move are at rest, as a text; {@code ""} where none can come to rest. */
+    String standing() {
+        int resting = game.bodiesAtRest();
+        Bodies bodies = game.bodies();
+        long count = IntStream.range(0, bodies.size()).filter(k -> bodies.inverseMass[k] > 0).count();
+        return resting < 0 ? "" : resting + " of " + count + " at rest";
     }
 
     private double radius(int id) {

@@ -2,6 +2,7 @@ package steward.cli.streams;
 
 import java.io.PrintStream;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Supplier;
 import me.tongfei.progressbar.ConsoleProgressBarConsumer;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
@@ -17,6 +18,7 @@ public final class ProgressLine implements AutoCloseable {
     /** Fixed, because finding the terminal's width would need another library. */
     private static final int WIDTH = 79;
     private static final int REFRESH_MS = 250;
+    private static final long REFRESH_NANOS = REFRESH_MS * 1_000_000L;
 
     /** How long the text about the standing may be, so that there is room for the bar. */
     private static final int WORD = 24;
@@ -27,6 +29,8 @@ public final class ProgressLine implements AutoCloseable {
     private final String task;
     private final int steps;
     private final AtomicInteger done = new AtomicInteger();
+    /** When a terminal's line last asked for the standing. */
+    private long shown = System.nanoTime() - REFRESH_NANOS;
     private boolean closed;
 
     /** Without a terminal. */
@@ -67,7 +71,7 @@ public final class ProgressLine implements AutoCloseable {
     /** Sets how many there are in all; by any thread. */
     public void reach(int reached) {
         if (bar == null) {
-            minutes.say(task, reached, steps);
+            minutes.say(task, reached, steps, () -> "");
         } else {
             bar.stepTo(reached);
         }
@@ -76,7 +80,7 @@ public final class ProgressLine implements AutoCloseable {
     /** One more; by any thread. */
     public void step() {
         if (bar == null) {
-            minutes.say(task, done.incrementAndGet(), steps);
+            minutes.say(task, done.incrementAndGet(), steps, () -> "");
         } else {
             bar.step();
         }
@@ -88,6 +92,22 @@ public final class ProgressLine implements AutoCloseable {
             bar.setExtraMessage(TextFormat.plain(TextFormat.shorten(standing, WORD)));
         }
         step();
+    }
+
+    /**
+     * One more, with a text that takes time to find; by one thread.
+     *
+     * @param standing is asked only where a line is written; {@code ""} for nothing
+     */
+    public void step(Supplier<String> standing) {
+        if (bar == null) {
+            minutes.say(task, done.incrementAndGet(), steps, standing);
+        } else if (System.nanoTime() - shown >= REFRESH_NANOS) {
+            shown = System.nanoTime();
+            step(standing.get());
+        } else {
+            step();
+        }
     }
 
     /** The second time there is nothing to do. */

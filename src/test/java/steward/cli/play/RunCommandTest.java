@@ -58,6 +58,24 @@ class RunCommandTest {
         assertTrue(verified.out().startsWith("verified up to the cut"), verified.out() + verified.err());
     }
 
+    /** A disc on the floor is at rest from the first turn on. Discs without loss are not counted. */
+    @Test
+    void aTerminalIsToldHowManyRest() throws IOException {
+        for (double restitution : new double[] {0.5, 1}) {
+            Path scene = temp.resolve(restitution + ".json");
+            Files.writeString(scene, """
+                { "name": "floor", "game": "bodies", "players": 0, "field": { "width": 1000, "height": 1000,
+                    "walls": "box" },
+                  "bodies": { "listed": [ { "x": 100, "y": 980, "radius": 20, "restitution": %s } ] },
+                  "play": { "maximumTurns": 3, "gravity": { "x": 0, "y": 0.7 } },
+                  "accuracy": { "advance": "event", "arithmetic": "double" } }
+                """.formatted(restitution));
+            Cli run = Cli.run(true, "run", scene.toString()).done();
+            assertEquals(restitution < 1, run.err().contains("1 of 1 at rest"), run.err());
+            assertTrue(run.err().contains("3/3"), run.err());
+        }
+    }
+
     /**
      * Two discs in free flight, in rational numbers: after n turns v = v0 + n a, y = y0 + n v0 + a n (n + 1) / 2. The
      * sum of m (v + a/2)^2 / 2 and of -m a (y - y0) is the same after every turn.

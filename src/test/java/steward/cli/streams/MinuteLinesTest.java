@@ -34,6 +34,21 @@ class MinuteLinesTest {
             """, said.toString(StandardCharsets.UTF_8));
     }
 
+    /** The standing takes time to find: it is asked for each line, not for each step. */
+    @Test
+    void theStandingIsAskedWhereALineIsPrinted() {
+        int[] asked = new int[1];
+        ProgressLine progress = new ProgressLine(lines(), "turns", 100);
+        for (int turn = 1; turn <= 60; turn++) {
+            seconds += 2;
+            progress.step(() -> "asked " + ++asked[0]);
+        }
+        assertEquals("""
+            turns: 30 of 100, about 2 minutes left, asked 1
+            turns: 60 of 100, about 1 minute left, asked 2
+            """, said.toString(StandardCharsets.UTF_8));
+    }
+
     @Test
     void aShortRunSaysNothing() {
         ProgressLine progress = new ProgressLine(lines(), "turns", 3);
