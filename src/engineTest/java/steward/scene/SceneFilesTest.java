@@ -204,13 +204,6 @@ class SceneFilesTest {
     }
 
     @Test
-    void aFileThatGoesOnAndOnIsRefused(@TempDir Path folder) throws IOException {
-        Path file = Files.write(folder.resolve("long.json"), new byte[(4 << 20) + 1]);
-        assertEquals(file + ": found a file of more than 4194304 bytes, expected a scene of at most 4194304",
-            assertThrows(SceneException.class, () -> SceneFiles.load(file.toString())).getMessage());
-    }
-
-    @Test
     void aNameIsBounded() {
         String text = fromFolder("duel").json();
         assertEquals(100, SceneReader.read(text.replace("\"duel\"", '"' + "n".repeat(100) + '"'), "s").name().length());
