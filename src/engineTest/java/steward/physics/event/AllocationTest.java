@@ -61,8 +61,7 @@ class AllocationTest {
     @Test
     void crowdsAllocateNothing() {
         for (Arithmetic arithmetic : Arithmetic.values()) {
-            check(new QueueAdvance(new PhysicsParts(Scenes.WITH_RESTITUTION.withPushOut(0.5), arithmetic,
-                new Contacts(1), List.of(WALLS), null, true)));
+            check(new QueueAdvance(Scenes.parts(Scenes.WITH_RESTITUTION.withPushOut(0.5), arithmetic, WALLS)));
         }
         Contacts asking = new Contacts(1).set(0, 0, Contacts.Meaning.ASK);
         check(new QueueAdvance(new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, asking, List.of(WALLS),

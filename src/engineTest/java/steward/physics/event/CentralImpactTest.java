@@ -19,7 +19,7 @@ class CentralImpactTest {
 
     private static List<Advance> both(Arithmetic arithmetic) {
         PhysicsParts parts = new PhysicsParts(ImpactLaw.PHYSICS, arithmetic);
-        return List.of(new EventAdvance(parts), new QueueAdvance(parts));
+        return Scenes.both(parts);
     }
 
     /** A pair whose distance is the sum of the radii but for a rounding: the first kept 3.85e-34 of its speed. */
@@ -27,10 +27,8 @@ class CentralImpactTest {
     @EnumSource(Arithmetic.class)
     void thePairThatKeptATraceOfItsSpeed(Arithmetic arithmetic) {
         for (Advance advance : both(arithmetic)) {
-            Bodies bodies = new Bodies(2);
-            bodies.add(876, 968, 437, 1);
-            bodies.add(1552.9999999999998, 968, 240, 1);
-            bodies.setVelocity(0, 0.21200439021358963, 0);
+            Bodies bodies = Scenes.bodies(new double[][] {{876, 968, 0.21200439021358963, 0, 1, 437},
+                {1552.9999999999998, 968, 0, 0, 1, 240}});
             advance.turn(bodies, TurnSink.NONE);
             assertEquals(0, bodies.vx[0]);
             assertEquals(0.21200439021358963, bodies.vx[1]);
@@ -68,12 +66,8 @@ class CentralImpactTest {
     @EnumSource(Arithmetic.class)
     void aDiscHitFromBothSidesAtOnceRests(Arithmetic arithmetic) {
         for (Advance advance : both(arithmetic)) {
-            Bodies bodies = new Bodies(3);
-            Scenes.add(bodies, 0, 0, 40, 0, 1);
-            Scenes.add(bodies, 40, 0, 0, 0, 1);
-            Scenes.add(bodies, 80, 0, -40, 0, 1);
-            TurnLog log = new TurnLog();
-            advance.turn(bodies, log);
+            Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 40, 0}, {40, 0, 0, 0}, {80, 0, -40, 0}});
+            TurnLog log = Scenes.turn(advance, bodies);
             assertEquals(3, log.impacts());
             for (int k = 0; k < 3; k++) {
                 assertEquals(0.5, log.impact(k).time());

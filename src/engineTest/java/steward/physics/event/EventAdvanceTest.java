@@ -5,12 +5,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.numerics.SplitMix64;
 import steward.physics.Arena;
+import steward.physics.Advance;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.Impact;
@@ -28,11 +32,8 @@ class EventAdvanceTest {
     /** 100 u of room at 200 u per turn toward each other: they touch at t = 1/2, swap speeds and fly back. */
     @Test
     void twoBodiesHeadOn() {
-        Bodies bodies = new Bodies(2);
-        Scenes.add(bodies, 0, 0, 150, 0, 1);
-        Scenes.add(bodies, 120, 0, -50, 0, 1);
-        TurnLog log = new TurnLog();
-        Scenes.advance(ImpactLaw.PHYSICS).turn(bodies, log);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 150, 0}, {120, 0, -50, 0}});
+        TurnLog log = Scenes.turn(Scenes.advance(ImpactLaw.PHYSICS), bodies);
         assertEquals(new Impact(0.5, 0, 1, 75, 0, 95, 0, 1, 0, 200, 0, 1, 1, 150, 0, -50, 0, -50, 0, 150, 0),
             log.impact(0));
         assertArrayEquals(new double[] {50, 170, -50, 150},
@@ -53,33 +54,25 @@ class EventAdvanceTest {
         for (int k = 0; k < 4; k++) {
             Scenes.add(bodies, 60 * k, 0, k == 0 ? 400 : 0, 0, 1);
         }
-        TurnLog log = new TurnLog();
-        Scenes.advance(ImpactLaw.PHYSICS).turn(bodies, log);
+        TurnLog log = Scenes.turn(Scenes.advance(ImpactLaw.PHYSICS), bodies);
         assertEquals(3, log.impacts());
         for (int k = 0; k < 3; k++) {
             assertEquals(0.1 * (k + 1), log.impact(k).time(), 1e-15);
             assertEquals(k, log.impact(k).a());
             assertEquals(k + 1, log.impact(k).b());
         }
-        assertArrayEquals(new double[] {40, 100, 160, 460}, new double[] {bodies.x[0], bodies.x[1], bodies.x[2],
-            bodies.x[3]}, 1e-12);
-        assertArrayEquals(new double[] {0, 0, 0, 400}, new double[] {bodies.vx[0], bodies.vx[1], bodies.vx[2],
-            bodies.vx[3]}, 1e-12);
+        assertArrayEquals(new double[] {40, 100, 160, 460}, Arrays.copyOf(bodies.x, 4), 1e-12);
+        assertArrayEquals(new double[] {0, 0, 0, 400}, Arrays.copyOf(bodies.vx, 4), 1e-12);
     }
 
     @Test
     void anImpactAtTheVeryEndOfATurnBelongsToIt() {
-        Bodies bodies = new Bodies(2);
-        Scenes.add(bodies, 0, 0, 100, 0, 1);
-        Scenes.add(bodies, 120, 0, 0, 0, 1);
-        TurnLog log = new TurnLog();
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 100, 0}, {120, 0, 0, 0}});
         EventAdvance advance = Scenes.advance(ImpactLaw.PHYSICS);
-        advance.turn(bodies, log);
+        TurnLog log = Scenes.turn(advance, bodies);
         assertEquals(1, log.impacts());
         assertEquals(1, log.impact(0).time());
-        log.clear();
-        advance.turn(bodies, log);
-        assertEquals(0, log.impacts(), "and not to the next one");
+        assertEquals(0, Scenes.turn(advance, bodies).impacts(), "and not to the next one");
     }
 
     /**
@@ -88,60 +81,39 @@ class EventAdvanceTest {
      */
     @Test
     void tiesGoToTheLowestPairOfIds() {
-        for (ImpactLaw.ScanOrder order : ImpactLaw.ScanOrder.values()) {
-            Bodies bodies = new Bodies(6);
-            Scenes.add(bodies, 0, 0, 100, 0, 1);
-            Scenes.add(bodies, 70, 0, 0, 0, 1);
-            Scenes.add(bodies, 140, 0, -100, 0, 1);
-            Scenes.add(bodies, 0, 500, 0, 0, 1);
-            Scenes.add(bodies, 70, 500, -100, 0, 1);
-            TurnLog log = new TurnLog();
-            ImpactLaw law = new ImpactLaw(ImpactLaw.Restitution.ELASTIC, 0, false, Double.NaN, false, 0, order,
-                Double.NaN, 0);
-            Scenes.advance(law).turn(bodies, log);
-            assertEquals(List.of("0-1 at 0.5", "1-2 at 0.5", "0-1 at 0.5", "3-4 at 0.5"), pairs(log), "scan " + order);
-        }
+        assertPairs(new double[][] {{0, 0, 100, 0}, {70, 0, 0, 0}, {140, 0, -100, 0}, {0, 500, 0, 0},
+            {70, 500, -100, 0}}, "0-1 at 0.5", "1-2 at 0.5", "0-1 at 0.5", "3-4 at 0.5");
     }
 
     /** Four bodies of which 0-3 and 1-2 meet at the same instant: 0-3 is the lower pair. */
     @Test
     void theLowestPairIsTheOneWithTheLowestBody() {
-        for (ImpactLaw.ScanOrder order : ImpactLaw.ScanOrder.values()) {
-            Bodies bodies = new Bodies(4);
-            Scenes.add(bodies, 0, 0, 50, 0, 1);
-            Scenes.add(bodies, 0, 500, 50, 0, 1);
-            Scenes.add(bodies, 45, 500, 0, 0, 1);
-            Scenes.add(bodies, 45, 0, 0, 0, 1);
-            TurnLog log = new TurnLog();
-            ImpactLaw law = new ImpactLaw(ImpactLaw.Restitution.ELASTIC, 0, false, Double.NaN, false, 0, order,
-                Double.NaN, 0);
-            Scenes.advance(law).turn(bodies, log);
-            assertEquals(List.of("0-3 at 0.5", "1-2 at 0.5"), pairs(log), "scan " + order);
-        }
+        assertPairs(new double[][] {{0, 0, 50, 0}, {0, 500, 50, 0}, {45, 500, 0, 0}, {45, 0, 0, 0}},
+            "0-3 at 0.5", "1-2 at 0.5");
     }
 
-    private static List<String> pairs(TurnLog log) {
-        return java.util.stream.IntStream.range(0, log.impacts()).mapToObj(log::impact)
-            .map(i -> Math.min(i.a(), i.b()) + "-" + Math.max(i.a(), i.b()) + " at " + i.time()).toList();
+    private static void assertPairs(double[][] rows, String... expected) {
+        for (ImpactLaw.ScanOrder order : ImpactLaw.ScanOrder.values()) {
+            ImpactLaw law = new ImpactLaw(ImpactLaw.Restitution.ELASTIC, 0, false, Double.NaN, false, 0, order,
+                Double.NaN, 0);
+            TurnLog log = Scenes.turn(Scenes.advance(law), Scenes.bodies(rows));
+            assertEquals(List.of(expected), IntStream.range(0, log.impacts()).mapToObj(log::impact)
+                .map(i -> Math.min(i.a(), i.b()) + "-" + Math.max(i.a(), i.b()) + " at " + i.time()).toList(),
+                "scan " + order);
+        }
     }
 
     /** Bodies before walls, then walls in their order: the corner (0, 0) is hit with both walls at t = 1/2. */
     @Test
     void atTheSameInstantBodiesComeBeforeWallsAndWallsInTheirOrder() {
-        Bodies bodies = new Bodies(2);
-        Scenes.add(bodies, 60, 60, -100, -100, 1);
-        Scenes.add(bodies, 60, 160, -100, -260, 1);
-        TurnLog log = new TurnLog();
-        Scenes.advance(ImpactLaw.PHYSICS, Wall.box(1000, 1000, 1)).turn(bodies, log);
+        Bodies bodies = Scenes.bodies(new double[][] {{60, 60, -100, -100}, {60, 160, -100, -260}});
+        TurnLog log = Scenes.turn(Scenes.advance(ImpactLaw.PHYSICS, Wall.box(1000, 1000, 1)), bodies);
         assertEquals(1, log.impact(0).b());
         assertEquals(0.5, log.impact(0).time());
-        bodies = new Bodies(1);
-        Scenes.add(bodies, 60, 60, -100, -100, 1);
-        log.clear();
-        Scenes.advance(ImpactLaw.PHYSICS, Wall.box(1000, 1000, 1)).turn(bodies, log);
+        bodies = Scenes.bodies(new double[] {60, 60, -100, -100});
+        log = Scenes.turn(Scenes.advance(ImpactLaw.PHYSICS, Wall.box(1000, 1000, 1)), bodies);
         assertArrayEquals(new int[] {0, 1}, new int[] {log.impact(0).wall(), log.impact(1).wall()});
-        assertArrayEquals(new double[] {60, 60, 100, 100},
-            new double[] {bodies.x[0], bodies.y[0], bodies.vx[0], bodies.vy[0]});
+        assertArrayEquals(new double[] {60, 60, 100, 100}, Scenes.state(bodies, 0));
     }
 
     /** Three turns of the same bodies in another order of adding: the same bits, body by body, where nothing rests. */
@@ -171,11 +143,8 @@ class EventAdvanceTest {
             }
             impacts += log.impacts();
             for (int to = 0; to < 9; to++) {
-                String what = "seed " + seed + " body " + order[to];
-                assertEquals(bodies.x[order[to]], renumbered.x[to], what);
-                assertEquals(bodies.y[order[to]], renumbered.y[to], what);
-                assertEquals(bodies.vx[order[to]], renumbered.vx[to], what);
-                assertEquals(bodies.vy[order[to]], renumbered.vy[to], what);
+                assertArrayEquals(Scenes.state(bodies, order[to]), Scenes.state(renumbered, to),
+                    "seed " + seed + " body " + order[to]);
             }
         }
         assertTrue(impacts > 10_000, impacts + " impacts");
@@ -215,13 +184,29 @@ class EventAdvanceTest {
         }
     }
 
+    /** Whatever an advance has played before, the turn depends on the bodies alone: by pairs, as a crowd, in steps. */
+    @Test
+    void theResultDoesNotDependOnEarlierTurns() {
+        Wall[] walls = {new Arena(500, 500, 900, 0.9), new Segment(-100, 1000, 1100, 1050, 0.8)};
+        for (Arithmetic arithmetic : List.of(Arithmetic.DOUBLE, Arithmetic.EXACT)) {
+            PhysicsParts parts = Scenes.parts(Scenes.WITH_RESTITUTION, arithmetic, walls);
+            for (Supplier<Advance> fresh : List.<Supplier<Advance>>of(() -> new EventAdvance(parts),
+                () -> new QueueAdvance(parts), () -> new StepAdvance(parts.withArithmetic(Arithmetic.DOUBLE), 4))) {
+                Advance used = fresh.get();
+                for (long seed = 1; seed <= 10; seed++) {
+                    Bodies bodies = Scenes.grid(new SplitMix64(seed), 3 + (int) seed % 4, 900, 60, 900);
+                    Scenes.assertSameTurn(fresh.get(), used, bodies, arithmetic + ", seed " + seed);
+                }
+            }
+        }
+    }
+
     /** Nobody overlaps anybody before an impact happens, so all impacts are at the touching distance and approach. */
     @Test
     void everyImpactIsATouchAndAnApproachInOrderOfTime() {
         for (long seed = 1; seed <= 100; seed++) {
             Bodies bodies = Scenes.grid(new SplitMix64(seed), 4, 1000, 100, 2000);
-            TurnLog log = new TurnLog();
-            Scenes.advance(ImpactLaw.PHYSICS, Wall.box(1000, 1000, 1)).turn(bodies, log);
+            TurnLog log = Scenes.turn(Scenes.advance(ImpactLaw.PHYSICS, Wall.box(1000, 1000, 1)), bodies);
             double last = 0;
             for (int k = 0; k < log.impacts(); k++) {
                 Impact i = log.impact(k);

@@ -1,13 +1,11 @@
 package steward.physics.event;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
-import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -17,14 +15,12 @@ import steward.numerics.SplitMix64;
 import steward.physics.Arena;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
-import steward.physics.Contacts;
 import steward.physics.HalfPlane;
 import steward.physics.Impact;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.Segment;
 import steward.physics.TurnLog;
-import steward.physics.TurnSink;
 import steward.physics.Wall;
 
 /** Whole turns in exact arithmetic: what is stored is what decimals say, rounded once. */
@@ -34,7 +30,7 @@ class ExactTurnTest {
     private static final MathContext DIGITS = new MathContext(70);
 
     private static EventAdvance exact(ImpactLaw law, Wall... walls) {
-        return new EventAdvance(new PhysicsParts(law, Arithmetic.EXACT, new Contacts(1), List.of(walls), null, true));
+        return new EventAdvance(Scenes.parts(law, Arithmetic.EXACT, walls));
     }
 
     private static BigDecimal of(double value) {
@@ -99,8 +95,7 @@ class ExactTurnTest {
             Bodies bodies = meeting(new SplitMix64(seed));
             boolean elastic = seed % 2 == 0;
             BigDecimal[] expected = byHand(bodies, elastic ? 1 : bodies.restitution[0]);
-            TurnLog log = new TurnLog();
-            exact(elastic ? ImpactLaw.PHYSICS : Scenes.WITH_RESTITUTION).turn(bodies, log);
+            TurnLog log = Scenes.turn(exact(elastic ? ImpactLaw.PHYSICS : Scenes.WITH_RESTITUTION), bodies);
             assertEquals(expected == null ? 0 : 1, log.impacts(), "seed " + seed);
             if (expected != null) {
                 Impact i = log.impact(0);
@@ -161,11 +156,8 @@ class ExactTurnTest {
     }
 
     private static void check(Wall wall, double x, double y, double vx, double vy, BigDecimal expected, String what) {
-        Bodies bodies = new Bodies(1);
-        bodies.add(x, y, 400, 3);
-        bodies.setVelocity(0, vx, vy);
-        TurnLog log = new TurnLog();
-        exact(ImpactLaw.PHYSICS, wall).turn(bodies, log);
+        Bodies bodies = Scenes.bodies(new double[][] {{x, y, vx, vy, 3, 400}});
+        TurnLog log = Scenes.turn(exact(ImpactLaw.PHYSICS, wall), bodies);
         assertTrue(log.impacts() > 0, what);
         double ulp = Math.ulp(expected.doubleValue());
         double error = of(log.impact(0).time()).subtract(expected).divide(of(ulp), DIGITS).abs().doubleValue();
@@ -177,11 +169,8 @@ class ExactTurnTest {
     @Test
     void anEndIsGrazedExactly() {
         for (double y : new double[] {20, Math.nextDown(20.0), Math.nextUp(20.0)}) {
-            Bodies bodies = new Bodies(1);
-            bodies.add(-50, y, 20, 1);
-            bodies.setVelocity(0, 100, 0);
-            TurnLog log = new TurnLog();
-            exact(ImpactLaw.PHYSICS, new Segment(0, 0, 0, -100, 1)).turn(bodies, log);
+            Bodies bodies = Scenes.bodies(new double[][] {{-50, y, 100, 0, 1, 20}});
+            TurnLog log = Scenes.turn(exact(ImpactLaw.PHYSICS, new Segment(0, 0, 0, -100, 1)), bodies);
             assertEquals(y < 20 ? 1 : 0, log.impacts(), "at a height of " + y);
         }
     }
@@ -221,12 +210,9 @@ class ExactTurnTest {
         for (long seed = 1; seed <= TestSize.of(150, 500); seed++) {
             Bodies bodies = meeting(new SplitMix64(seed));
             bodies.setRestitution(0, 0);
-            TurnLog log = new TurnLog();
-            exact(Scenes.WITH_RESTITUTION).turn(bodies, log);
+            TurnLog log = Scenes.turn(exact(Scenes.WITH_RESTITUTION), bodies);
             assertTrue(log.impacts() <= 1, "seed " + seed + ": " + log.impacts());
-            Bodies sliding = new Bodies(1);
-            sliding.add(1000, 1000, 400, 1);
-            sliding.setVelocity(0, 3000 - seed, -4000);
+            Bodies sliding = Scenes.bodies(new double[][] {{1000, 1000, 3000 - seed, -4000, 1, 400}});
             sliding.setRestitution(0, 0);
             log.clear();
             Wall floor = new HalfPlane(0, -seed, -0.6, 0.8, 1);
@@ -247,8 +233,7 @@ class ExactTurnTest {
         int turns = TestSize.of(150, 500);
         for (long seed = 1; seed <= turns; seed++) {
             Bodies bodies = Scenes.grid(new SplitMix64(seed), 2, 4000, 400, 900);
-            Bodies twin = new Bodies(4);
-            twin.copyFrom(bodies);
+            Bodies twin = bodies.copy();
             TurnLog a = new TurnLog();
             TurnLog b = new TurnLog();
             official.turn(bodies, a);
@@ -265,20 +250,6 @@ class ExactTurnTest {
             + pushed + " of " + turns);
     }
 
-    @Test
-    void theSameTurnTwiceIsTheSameToTheBit() {
-        Wall[] walls = {new Arena(500, 500, 900, 0.9), new Segment(-100, 1000, 1100, 1050, 0.8)};
-        EventAdvance used = exact(Scenes.WITH_RESTITUTION, walls);
-        for (long seed = 1; seed <= 10; seed++) {
-            Bodies bodies = Scenes.grid(new SplitMix64(seed), 3, 900, 90, 900);
-            Bodies twin = new Bodies(9);
-            twin.copyFrom(bodies);
-            used.turn(bodies, TurnSink.NONE);
-            exact(Scenes.WITH_RESTITUTION, walls).turn(twin, TurnSink.NONE);
-            assertArrayEquals(Scenes.bits(bodies), Scenes.bits(twin), "seed " + seed);
-        }
-    }
-
     /**
      * <pre>
      *             1 (10, 2e-9)      the touch with 1 is at 1/2 + 6e-20, with 2 at 1/2 + 2e-20: the same double,
@@ -287,13 +258,9 @@ class ExactTurnTest {
      */
     @Test
     void whoIsNearerByLessThanADoubleCanSayIsFirst() {
-        Bodies bodies = new Bodies(3);
-        bodies.add(0, 0, 1, 1);
-        bodies.add(10, 2e-9, 1, 1);
-        bodies.add(10, 1e-9, 1, 1);
-        bodies.setVelocity(0, 16, 0);
-        TurnLog log = new TurnLog();
-        exact(ImpactLaw.PHYSICS).turn(bodies, log);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 16, 0, 1, 1}, {10, 2e-9, 0, 0, 1, 1},
+            {10, 1e-9, 0, 0, 1, 1}});
+        TurnLog log = Scenes.turn(exact(ImpactLaw.PHYSICS), bodies);
         assertEquals(0, log.impact(0).a());
         assertEquals(2, log.impact(0).b());
         assertEquals(0.5, log.impact(0).time());

@@ -27,9 +27,7 @@ class ForcesTest {
     private static final Forces GRAVITY = new Forces(0, 0, 0, -2);
 
     private static List<Advance> both(ImpactLaw law, Arithmetic arithmetic, Wall... walls) {
-        PhysicsParts parts = new PhysicsParts(law, arithmetic, new Contacts(1), List.of(walls), null, true)
-            .withForces(GRAVITY);
-        return List.of(new EventAdvance(parts), new QueueAdvance(parts));
+        return Scenes.both(Scenes.parts(law, arithmetic, walls).withForces(GRAVITY));
     }
 
     private static void turn(Advance advance, Bodies bodies, TurnSink sink) {
@@ -54,7 +52,7 @@ class ForcesTest {
                 }
                 return Reaction.Verdict.CHANGED;
             }, false).withForces(force);
-        for (Advance advance : List.of(new EventAdvance(parts), new QueueAdvance(parts))) {
+        for (Advance advance : Scenes.both(parts)) {
             double[] height = new double[2];
             for (int others = 0; others <= 1; others++) {
                 Bodies bodies = new Bodies(3);
@@ -96,9 +94,7 @@ class ForcesTest {
     @EnumSource
     void aBodyAtRestIsCarriedByItsWeight(Arithmetic arithmetic) {
         for (Advance advance : both(Scenes.WITH_RESTITUTION, arithmetic, floor())) {
-            Bodies bodies = new Bodies(2);
-            Scenes.add(bodies, 0, 10, 0, 0, 3);
-            Scenes.add(bodies, 0, 30, 0, 0, 5);
+            Bodies bodies = Scenes.bodies(new double[][] {{0, 10, 0, 0, 3}, {0, 30, 0, 0, 5}});
             bodies.setRestitution(0, 0.9);
             bodies.setRestitution(1, 0.9);
             TurnLog log = new TurnLog();
@@ -137,9 +133,7 @@ class ForcesTest {
     @EnumSource
     void bodiesThatFallTogetherTouchWithoutAnImpact(Arithmetic arithmetic) {
         for (Advance advance : both(Scenes.WITH_RESTITUTION, arithmetic)) {
-            Bodies bodies = new Bodies(2);
-            Scenes.add(bodies, 0, 10, 0, 7, 1);
-            Scenes.add(bodies, 0, 30, 0, 7, 4);
+            Bodies bodies = Scenes.bodies(new double[][] {{0, 10, 0, 7}, {0, 30, 0, 7, 4}});
             bodies.setRestitution(0, 0.5);
             TurnLog log = new TurnLog();
             for (int turn = 1; turn <= 10; turn++) {
@@ -154,15 +148,11 @@ class ForcesTest {
     @ParameterizedTest
     @EnumSource
     void slowBodiesBounceWhereNoForceActs(Arithmetic arithmetic) {
-        PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, arithmetic, new Contacts(1), List.of(floor()),
-            null, true);
-        for (Advance advance : List.of(new EventAdvance(parts), new QueueAdvance(parts))) {
-            Bodies bodies = new Bodies(2);
-            Scenes.add(bodies, 0, 10, 0, -1, 1);
-            Scenes.add(bodies, 25, 10, 0, 0, 1);
+        PhysicsParts parts = Scenes.parts(Scenes.WITH_RESTITUTION, arithmetic, floor());
+        for (Advance advance : Scenes.both(parts)) {
+            Bodies bodies = Scenes.bodies(new double[][] {{0, 10, 0, -1}, {25, 10, 0, 0}});
             bodies.setRestitution(0, 0.5);
-            TurnLog log = new TurnLog();
-            advance.turn(bodies, log);
+            TurnLog log = Scenes.turn(advance, bodies);
             assertEquals(0.5, bodies.vy[0], 1e-15);
             assertFalse(log.limited());
             assertTrue(log.impacts() == 1);

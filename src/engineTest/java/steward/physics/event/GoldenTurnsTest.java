@@ -2,7 +2,6 @@ package steward.physics.event;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.List;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -13,7 +12,6 @@ import steward.physics.Advance;
 import steward.physics.Arena;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
-import steward.physics.Contacts;
 import steward.physics.HalfPlane;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
@@ -50,8 +48,7 @@ class GoldenTurnsTest {
 
     private static void play(String rung, ImpactLaw law, int count, StateHash hash, Wall... walls) {
         boolean steps = Character.isDigit(rung.charAt(0));
-        PhysicsParts parts = new PhysicsParts(law, steps ? Arithmetic.DOUBLE : Arithmetic.valueOf(rung),
-            new Contacts(1), List.of(walls), null, true);
+        PhysicsParts parts = Scenes.parts(law, steps ? Arithmetic.DOUBLE : Arithmetic.valueOf(rung), walls);
         Advance advance = steps ? new StepAdvance(parts, Integer.parseInt(rung)) : new EventAdvance(parts);
         for (long seed = 1; seed <= 10; seed++) {
             Bodies bodies = Scenes.grid(new SplitMix64(seed), (int) Math.sqrt(count), 1000, 90, 700);

@@ -68,8 +68,7 @@ class ImpactLimitTest {
             }
             EventAdvance advance = Scenes.advance(
                 Scenes.WITH_RESTITUTION.withRestSpeed(0).withMaximumImpacts(bound), walls);
-            TurnLog log = new TurnLog();
-            advance.turn(bodies, log);
+            TurnLog log = Scenes.turn(advance, bodies);
             assertTrue(log.impacts() >= 12, log.impacts() + " impacts: no collapse");
             assertEquals(bound == 12, log.limited());
             assertEquals(bound == 12 ? 3 : 0, log.limitBodies().length, "all three are in the heap");
@@ -118,11 +117,8 @@ class ImpactLimitTest {
     void anImpossibleSqueezeStandsStill() {
         int turns = TestSize.of(5, 200);
         for (double e : new double[] {0, 0.5, 1}) {
-            Bodies bodies = new Bodies(4);
-            Scenes.add(bodies, 0, 0, 30, 0, INFINITY);
-            Scenes.add(bodies, 40, 0, 5, 0, 1);
-            Scenes.add(bodies, 80, 0, -30, 0, INFINITY);
-            Scenes.add(bodies, 40, 500, 25, 0, 1);
+            Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 30, 0, INFINITY}, {40, 0, 5, 0},
+                {80, 0, -30, 0, INFINITY}, {40, 500, 25, 0}});
             bodies.setRestitution(1, e);
             TurnLog log = new TurnLog();
             EventAdvance advance = Scenes.advance(Scenes.WITH_RESTITUTION);
@@ -143,9 +139,7 @@ class ImpactLimitTest {
     @Test
     void aBodyPressedAgainstAWallStandsStill() {
         Wall[] floor = {new HalfPlane(0, 0, 0, 1, 1)};
-        Bodies bodies = new Bodies(2);
-        Scenes.add(bodies, 0, 15, 0, 0, 1);
-        Scenes.add(bodies, 0, 45, 0, -30, INFINITY);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 15, 0, 0}, {0, 45, 0, -30, INFINITY}});
         int limited = play(bodies, Scenes.advance(ImpactLaw.PHYSICS, floor), 20, true, () -> { }, floor);
         assertEquals(20, limited);
     }
@@ -177,8 +171,7 @@ class ImpactLimitTest {
             Scenes.add(bodies, 60 * k, 0, k == 0 ? 400 : 0, 0, 1);
         }
         bodies.remove(0);
-        TurnLog log = new TurnLog();
-        Scenes.advance(ImpactLaw.PHYSICS.withMaximumImpacts(3)).turn(bodies, log);
+        TurnLog log = Scenes.turn(Scenes.advance(ImpactLaw.PHYSICS.withMaximumImpacts(3)), bodies);
         assertEquals(3, log.impacts());
         assertTrue(log.limited());
         assertEquals(0.3, log.limitTime(), 1e-12, "when the fourth was looked for");
@@ -203,9 +196,7 @@ class ImpactLimitTest {
         while (bodies.size() > 90) {
             bodies.remove(bodies.size() / 2);
         }
-        for (int k = 0; k < 90; k++) {
-            bodies.setRestitution(k, 0.95);
-        }
+        Scenes.setRestitution(bodies, 0.95);
         double before = Scenes.energy(bodies);
         play(bodies, Scenes.advance(Scenes.WITH_RESTITUTION, walls), 8, false, () -> { }, walls);
         assertTrue(Scenes.energy(bodies) < before / 2, "hundreds of impacts at 0.95");

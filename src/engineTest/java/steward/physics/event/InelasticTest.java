@@ -37,8 +37,7 @@ class InelasticTest {
             bodies.setVelocity(0, 4000 + 2000 * random.nextDouble(), 100 * (random.nextDouble() - 0.5));
             bodies.setVelocity(1, -100 * random.nextDouble(), 100 * (random.nextDouble() - 0.5));
             bodies.setRestitution(1, 0);
-            TurnLog log = new TurnLog();
-            Scenes.advance(Scenes.WITH_RESTITUTION).turn(bodies, log);
+            TurnLog log = Scenes.turn(Scenes.advance(Scenes.WITH_RESTITUTION), bodies);
             assertEquals(1, log.impacts(), "seed " + seed);
             Impact i = log.impact(0);
             double parting = (i.vbxAfter() - i.vaxAfter()) * i.normalX() + (i.vbyAfter() - i.vayAfter()) * i.normalY();
@@ -74,9 +73,8 @@ class InelasticTest {
     }
 
     private static void checkSlide(Wall wall, double x, double y, double speed, double from, double lean, long seed) {
-        Bodies bodies = new Bodies(1);
-        bodies.add(x, y, 400, 1);
-        bodies.setVelocity(0, -speed * Math.cos(from), -speed * Math.sin(from));
+        Bodies bodies = Scenes.bodies(new double[][] {
+            {x, y, -speed * Math.cos(from), -speed * Math.sin(from), 1, 400}});
         EventAdvance advance = Scenes.advance(Scenes.WITH_RESTITUTION, wall);
         TurnLog log = new TurnLog();
         for (int turn = 0; turn < 5; turn++) {
@@ -101,12 +99,8 @@ class InelasticTest {
     void aWallDoesNotPullWhoWasTurnedRoundInTheSameBatch() {
         PhysicsParts parts = new PhysicsParts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL, new Contacts(1),
             List.of(new HalfPlane(0, 0, 0, 1, 1)), null, false);
-        Bodies bodies = new Bodies(2);
-        bodies.add(0, 425, 400, 1);
-        bodies.setVelocity(0, 0, -50);
-        bodies.add(400 - 1e-4, 100, 100, 10);
-        TurnLog log = new TurnLog();
-        new EventAdvance(parts).turn(bodies, log);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 425, 0, -50, 1, 400}, {400 - 1e-4, 100, 0, 0, 10, 100}});
+        TurnLog log = Scenes.turn(new EventAdvance(parts), bodies);
         for (int k = 0; k < log.impacts(); k++) {
             assertTrue(!log.impact(k).isWall() || log.impact(k).impulse() > 0, "impact " + k + " " + log.impact(k));
         }

@@ -33,13 +33,11 @@ class NarrowWedgeTest {
 
     /** A turn in which one disc falls, or a second above it falls, too. */
     private static TurnLog fall(Advance advance, double sin, boolean both) {
-        Bodies bodies = new Bodies(2);
-        Scenes.add(bodies, 1, 10 / sin + 20, 0, -200, 1);
-        Scenes.add(bodies, 0.5, 10 / sin + 60, 0, both ? -200 : 0, 1);
+        Bodies bodies = Scenes.bodies(new double[][] {{1, 10 / sin + 20, 0, -200},
+            {0.5, 10 / sin + 60, 0, both ? -200 : 0}});
         bodies.setRestitution(0, RESTITUTION);
         bodies.setRestitution(1, RESTITUTION);
-        TurnLog log = new TurnLog();
-        advance.turn(bodies, log);
+        TurnLog log = Scenes.turn(advance, bodies);
         assertFalse(log.limited());
         return log;
     }
@@ -54,7 +52,7 @@ class NarrowWedgeTest {
         double share = (trace + Math.sqrt(trace * trace - 4 * RESTITUTION)) / 2;
         List<Wall> walls = List.of(new HalfPlane(0, 0, cos, sin, 1), new HalfPlane(0, 0, -cos, sin, 1));
         PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, arithmetic, new Contacts(1), walls, null, false);
-        for (Advance advance : List.of(new EventAdvance(parts), new QueueAdvance(parts))) {
+        for (Advance advance : Scenes.both(parts)) {
             TurnLog one = fall(advance, sin, false);
             int last = one.impacts() - 3;                                      // two more for the heap at rest
             assertEquals(share, one.impact(last).impulse() / one.impact(last - 1).impulse(), 1e-9);

@@ -1,11 +1,8 @@
 package steward.physics.event;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -20,23 +17,26 @@ import steward.physics.Contacts;
 import steward.physics.HalfPlane;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
-import steward.physics.TurnLog;
 
 /** The loop made for the official law ends every turn as the loop made for every law: bodies, impacts, knots. */
 @Execution(ExecutionMode.CONCURRENT)
 class OfficialAdvanceTest {
 
     private static final ImpactLaw LAW = ImpactLaw.OFFICIAL_POD_RACE;
+    private static final PhysicsParts PARTS = new PhysicsParts(LAW, Arithmetic.OFFICIAL, new Contacts(2), List.of(),
+        null, false);
+    private static final Advance GENERAL = new EventAdvance(PARTS);
 
     @ParameterizedTest
     @CsvSource({"0, 1, 400", "1, 1, 400", "2, 3000, 400", "4, 3000, 400", "4, 3000, 0.3", "4, 2000, 123.456",
         "11, 500, 400", "12, 100, 400"})
     void bodiesOfOneSizeEndAsInTheGeneralLoop(int bodies, int turns, double radius) {
         SplitMix64 random = new SplitMix64(bodies);
-        Advance fast = new OfficialAdvance(parts(2));
+        Advance fast = new OfficialAdvance(PARTS);
         long impacts = 0;
         for (int turn = 0; turn < turns; turn++) {
-            impacts += compare(fast, heap(random, bodies, radius), "seed " + bodies + ", turn " + turn);
+            impacts += Scenes.assertSameTurn(GENERAL, fast, heap(random, bodies, radius),
+                "seed " + bodies + ", turn " + turn);
         }
         assertTrue(bodies < 2 || impacts > turns / 4, impacts + " impacts");
     }
@@ -45,14 +45,14 @@ class OfficialAdvanceTest {
     @Test
     void bodiesOfOtherSizesDoToo() {
         SplitMix64 random = new SplitMix64(5);
-        Advance fast = new OfficialAdvance(parts(2));
+        Advance fast = new OfficialAdvance(PARTS);
         long impacts = 0;
         for (int turn = 0; turn < 2000; turn++) {
             Bodies bodies = heap(random, 4, random.nextInt(100, 400));
             if (turn % 2 == 0) {
                 bodies.setRadius(random.nextInt(4), random.nextInt(100, 800));
             }
-            impacts += compare(fast, bodies, "seed 5, turn " + turn);
+            impacts += Scenes.assertSameTurn(GENERAL, fast, bodies, "seed 5, turn " + turn);
         }
         assertTrue(impacts > 500, impacts + " impacts");
     }
@@ -62,20 +62,16 @@ class OfficialAdvanceTest {
         Bodies bodies = heap(new SplitMix64(6), 4, 400);
         bodies.setVelocity(2, 1e160, 0);
         bodies.setPosition(3, 1e155, 1);
-        assertTrue(compare(new OfficialAdvance(parts(2)), bodies, "huge") > 0);
+        assertTrue(Scenes.assertSameTurn(GENERAL, new OfficialAdvance(PARTS), bodies, "huge") > 0);
     }
 
     @Test
     void moreThanTheOfficialLawIsRefused() {
-        PhysicsParts exact = new PhysicsParts(LAW, Arithmetic.EXACT, new Contacts(1), List.of(), null, false);
+        PhysicsParts exact = new PhysicsParts(LAW, Arithmetic.EXACT);
         assertThrows(IllegalArgumentException.class, () -> new OfficialAdvance(exact));
         PhysicsParts walls = new PhysicsParts(LAW, Arithmetic.OFFICIAL, new Contacts(1),
             List.of(new HalfPlane(0, 0, 1, 0, 1)), null, false);
         assertThrows(IllegalArgumentException.class, () -> new OfficialAdvance(walls));
-    }
-
-    private static PhysicsParts parts(int kinds) {
-        return new PhysicsParts(LAW, Arithmetic.OFFICIAL, new Contacts(kinds), List.of(), null, false);
     }
 
     private static Bodies heap(SplitMix64 random, int count, double radius) {
@@ -87,29 +83,5 @@ class OfficialAdvanceTest {
             bodies.setVelocity(k, 4 * radius * (random.nextDouble() - 0.5), 4 * radius * (random.nextDouble() - 0.5));
         }
         return bodies;
-    }
-
-    /** @return how many impacts there were */
-    private static int compare(Advance fast, Bodies bodies, String what) {
-        Bodies expected = new Bodies(bodies.capacity());
-        expected.copyFrom(bodies);
-        TurnLog log = new TurnLog();
-        TurnLog expectedLog = new TurnLog();
-        fast.turn(bodies, log);
-        new EventAdvance(parts(2)).turn(expected, expectedLog);
-        assertArrayEquals(numbers(expected), numbers(bodies), what);
-        assertEquals(expectedLog.impacts(), log.impacts(), what);
-        for (int k = 0; k < log.impacts(); k++) {
-            assertEquals(expectedLog.impact(k), log.impact(k), what);
-        }
-        return log.impacts();
-    }
-
-    private static double[] numbers(Bodies bodies) {
-        double[] numbers = Arrays.copyOf(bodies.x, 4 * bodies.size());
-        System.arraycopy(bodies.y, 0, numbers, bodies.size(), bodies.size());
-        System.arraycopy(bodies.vx, 0, numbers, 2 * bodies.size(), bodies.size());
-        System.arraycopy(bodies.vy, 0, numbers, 3 * bodies.size(), bodies.size());
-        return numbers;
     }
 }

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -37,26 +36,12 @@ class OfficialLoopTest {
         int turns = TestSize.of(TURNS / 10, TURNS);
         SplitMix64 random = new SplitMix64(16);
         Advance loop = new PodRaceLoop();
-        Advance expectedAdvance = new EventAdvance(PARTS);
-        TurnLog log = new TurnLog();
-        TurnLog expectedLog = new TurnLog();
+        Advance expected = new EventAdvance(PARTS);
         Bodies bodies = new Bodies(6);
-        Bodies expected = new Bodies(6);
         long impacts = 0;
         for (int turn = 0; turn < turns; turn++) {
             fill(bodies, random, 2 + turn % 5);
-            expected.copyFrom(bodies);
-            log.clear();
-            expectedLog.clear();
-            loop.turn(bodies, log);
-            expectedAdvance.turn(expected, expectedLog);
-            String what = "seed 16, turn " + turn;
-            assertArrayEquals(numbers(expected), numbers(bodies), what);
-            assertEquals(expectedLog.impacts(), log.impacts(), what);
-            for (int k = 0; k < log.impacts(); k++) {
-                assertEquals(expectedLog.impact(k), log.impact(k), what);
-            }
-            impacts += log.impacts();
+            impacts += Scenes.assertSameTurn(expected, loop, bodies, "seed 16, turn " + turn);
         }
         assertTrue(impacts > turns, impacts + " impacts");
     }
@@ -78,14 +63,6 @@ class OfficialLoopTest {
                 bodies.setMass(k + 2, bodies.mass[k]);
             }
         }
-    }
-
-    private static double[] numbers(Bodies bodies) {
-        double[] numbers = Arrays.copyOf(bodies.x, 4 * bodies.size());
-        System.arraycopy(bodies.y, 0, numbers, bodies.size(), bodies.size());
-        System.arraycopy(bodies.vx, 0, numbers, 2 * bodies.size(), bodies.size());
-        System.arraycopy(bodies.vy, 0, numbers, 3 * bodies.size(), bodies.size());
-        return numbers;
     }
 
     /** Without a push-out two that touch would react for ever: both loops end at the bound, and in the same state. */
@@ -114,14 +91,9 @@ class OfficialLoopTest {
                 sink.knot(a, now, 0, 0);
             }
         };
-        Bodies bodies = new Bodies(3);
-        bodies.add(0, 0, 400, 1);
-        bodies.add(700, 0, 400, 1);
-        bodies.add(9000, 0, 400, 1);
-        bodies.setVelocity(0, 10, 0);
-        bodies.setVelocity(2, 5, 0);
-        TurnLog log = new TurnLog();
-        stuck.turn(bodies, log);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 10, 0, 1, 400}, {700, 0, 0, 0, 1, 400},
+            {9000, 0, 5, 0, 1, 400}});
+        TurnLog log = Scenes.turn(stuck, bodies);
 
         assertTrue(log.limited());
         assertEquals(7, log.knots() - 2, "seven reactions, and a knot of each of the two that stop");
@@ -131,16 +103,8 @@ class OfficialLoopTest {
 
     @Test
     void numbersOutOfRangeAreLeftToTheExactArithmetic() {
-        Bodies bodies = new Bodies(2);
-        bodies.add(1e155, 0, 400, 1);
-        bodies.add(0, 0, 400, 1);
-        bodies.setVelocity(0, -1e160, 0);
-        Bodies expected = new Bodies(2);
-        expected.copyFrom(bodies);
-        new PodRaceLoop().turn(bodies, TurnSink.NONE);
-        new EventAdvance(PARTS).turn(expected, TurnSink.NONE);
-
-        assertArrayEquals(numbers(expected), numbers(bodies));
+        Bodies bodies = Scenes.bodies(new double[][] {{1e155, 0, -1e160, 0, 1, 400}, {0, 0, 0, 0, 1, 400}});
+        Scenes.assertSameTurn(new EventAdvance(PARTS), new PodRaceLoop(), bodies, "huge");
     }
 
     /** A game's own expressions are for the rung event/official alone, with any number of bodies. */
@@ -149,8 +113,7 @@ class OfficialLoopTest {
         Advance own = new PodRaceLoop();
         for (Accuracy rung : Accuracy.ladder()) {
             PhysicsParts parts = new PhysicsParts(ImpactLaw.PHYSICS, rung.arithmetic(), new Contacts(1), List.of(),
-                null,
-                false, of -> own, Forces.NONE);
+                null, false, of -> own, Forces.NONE);
             boolean official = rung.equals(Accuracy.event(Arithmetic.OFFICIAL));
             for (int bodies : new int[] {0, 4, 100}) {
                 assertEquals(official, rung.advance(parts, bodies) == own, rung.text());

@@ -125,13 +125,8 @@ class OfficialTurnTest {
     /** By hand: 900 apart, 400 u per turn toward each other: 100 u of room, t = 1/4; f = 200, J = 400, speeds swap. */
     @Test
     void twoPodsByHand() {
-        Bodies bodies = new Bodies(2);
-        bodies.add(0, 0, 400, 1);
-        bodies.add(900, 0, 400, 1);
-        bodies.setVelocity(0, 200, 0);
-        bodies.setVelocity(1, -200, 0);
-        TurnLog log = new TurnLog();
-        new EventAdvance(OFFICIAL).turn(bodies, log);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 200, 0, 1, 400}, {900, 0, -200, 0, 1, 400}});
+        TurnLog log = Scenes.turn(new EventAdvance(OFFICIAL), bodies);
         assertEquals(1, log.impacts());
         assertEquals(0.25, log.impact(0).time());
         assertEquals(400, log.impact(0).impulse());
@@ -143,13 +138,8 @@ class OfficialTurnTest {
     /** Touching pods that separate react all the same: f = -50, J = -50 + 120. */
     @Test
     void touchingPodsThatSeparateReact() {
-        Bodies bodies = new Bodies(2);
-        bodies.add(0, 0, 400, 1);
-        bodies.add(790, 0, 400, 1);
-        bodies.setVelocity(0, -50, 0);
-        bodies.setVelocity(1, 50, 0);
-        TurnLog log = new TurnLog();
-        new EventAdvance(OFFICIAL).turn(bodies, log);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, -50, 0, 1, 400}, {790, 0, 50, 0, 1, 400}});
+        TurnLog log = Scenes.turn(new EventAdvance(OFFICIAL), bodies);
         assertEquals(1, log.impacts());
         assertEquals(0, log.impact(0).time());
         assertEquals(70, log.impact(0).impulse());
@@ -159,11 +149,8 @@ class OfficialTurnTest {
     /** Cut toward zero, -0.0 made 0.0; floor(x + 0.5) sends halves up. */
     @Test
     void theEndOfATurnCutsAndRounds() {
-        Bodies bodies = new Bodies(2);
-        bodies.add(10.5, -10.5, 400, 1);
-        bodies.setVelocity(0, 101.9, -101.9);
-        bodies.add(-0.2, 10.49, 400, 1);
-        bodies.setVelocity(1, -0.9, -0.0);
+        Bodies bodies = Scenes.bodies(new double[][] {{10.5, -10.5, 101.9, -101.9, 1, 400},
+            {-0.2, 10.49, -0.9, -0.0, 1, 400}});
         new Motion(false, true, true).endTurn(bodies);
         double[] found = {bodies.x[0], bodies.y[0], bodies.vx[0], bodies.vy[0],
             bodies.x[1], bodies.y[1], bodies.vx[1], bodies.vy[1]};
@@ -176,9 +163,7 @@ class OfficialTurnTest {
     /** Each body has its own drag; parts that are not named do nothing. */
     @Test
     void onlyNamedPartsOfTheEndOfATurnHappen() {
-        Bodies bodies = new Bodies(2);
-        Scenes.add(bodies, 1.25, 2.75, 100.5, -40, 1);
-        Scenes.add(bodies, 1.25, 2.75, 100.5, -40, 1);
+        Bodies bodies = Scenes.bodies(new double[][] {{1.25, 2.75, 100.5, -40}, {1.25, 2.75, 100.5, -40}});
         bodies.setDrag(1, 0.25);
         new Motion(false, false, false).endTurn(bodies);
         assertEquals(100.5, bodies.vx[1]);

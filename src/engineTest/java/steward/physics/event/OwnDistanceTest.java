@@ -17,6 +17,7 @@ import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.Reaction;
 import steward.physics.TurnLog;
+import steward.physics.TurnSink;
 
 /** Contacts that begin at a distance of their own, and what a reaction does after an impulse or within a batch. */
 class OwnDistanceTest {
@@ -26,19 +27,13 @@ class OwnDistanceTest {
     private final List<String> asked = new ArrayList<>();
     private final TurnLog log = new TurnLog();
 
-    private static List<Advance> advances(PhysicsParts parts) {
-        return List.of(new EventAdvance(parts), new QueueAdvance(parts));
-    }
-
-    private static PhysicsParts parts(Contacts contacts, Arithmetic arithmetic, Reaction reaction) {
-        return new PhysicsParts(ImpactLaw.PHYSICS, arithmetic, contacts, List.of(), reaction, false);
+    private static List<Advance> advances(Contacts contacts, Arithmetic arithmetic, Reaction reaction) {
+        return Scenes.both(new PhysicsParts(ImpactLaw.PHYSICS, arithmetic, contacts, List.of(), reaction, false));
     }
 
     /** Radii 10 and 10, at 100 u: they come within 30 after 70 u. */
     private static Bodies pair() {
-        Bodies bodies = new Bodies(3);
-        Scenes.add(bodies, 0, 0, 100, 0, 1);
-        Scenes.add(bodies, 100, 0, 0, 0, 1);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 100, 0}, {100, 0, 0, 0}});
         bodies.setKind(1, 1);
         return bodies;
     }
@@ -46,10 +41,10 @@ class OwnDistanceTest {
     @ParameterizedTest
     @EnumSource(Arithmetic.class)
     void theReactionIsAskedAtThatDistance(Arithmetic arithmetic) {
-        for (Advance advance : advances(parts(CONTACTS, arithmetic, (time, a, b, all, sink) -> {
+        for (Advance advance : advances(CONTACTS, arithmetic, (time, a, b, all, sink) -> {
             asked.add(Math.round(1000 * time) / 1000.0 + " " + all.radius[a]);
             return Reaction.Verdict.PASS;
-        }))) {
+        })) {
             Bodies bodies = pair();
             advance.turn(bodies, log);
 
@@ -65,8 +60,8 @@ class OwnDistanceTest {
     @ParameterizedTest
     @EnumSource(Arithmetic.class)
     void anImpactThereIsOneAtThatDistance(Arithmetic arithmetic) {
-        for (Advance advance : advances(parts(CONTACTS, arithmetic,
-            (time, a, b, all, sink) -> Reaction.Verdict.BOUNCE))) {
+        for (Advance advance : advances(CONTACTS, arithmetic,
+            (time, a, b, all, sink) -> Reaction.Verdict.BOUNCE)) {
             Bodies bodies = pair();
             log.clear();
             advance.turn(bodies, log);
@@ -80,8 +75,8 @@ class OwnDistanceTest {
 
     @Test
     void otherKindsTouchAtTheirRadii() {
-        for (Advance advance : advances(parts(CONTACTS, Arithmetic.DOUBLE,
-            (time, a, b, all, sink) -> Reaction.Verdict.PASS))) {
+        for (Advance advance : advances(CONTACTS, Arithmetic.DOUBLE,
+            (time, a, b, all, sink) -> Reaction.Verdict.PASS)) {
             Bodies bodies = pair();
             bodies.setKind(1, 0);
             log.clear();
@@ -94,10 +89,11 @@ class OwnDistanceTest {
     @Test
     void stepsLookAtThatDistanceToo() {
         Bodies bodies = pair();
-        new StepAdvance(parts(CONTACTS, Arithmetic.DOUBLE, (time, a, b, all, sink) -> {
-            asked.add("at " + time);
-            return Reaction.Verdict.PASS;
-        }), 4).turn(bodies, log);
+        new StepAdvance(new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, CONTACTS, List.of(),
+            (time, a, b, all, sink) -> {
+                asked.add("at " + time);
+                return Reaction.Verdict.PASS;
+            }, false), 4).turn(bodies, log);
 
         assertEquals(List.of("at 0.75"), asked);
     }
@@ -113,20 +109,20 @@ class OwnDistanceTest {
         Contacts contacts = new Contacts(2).set(0, 1, Contacts.Meaning.ASK);
         Reaction reaction = new Reaction() {
             @Override
-            public Verdict on(double time, int a, int b, Bodies all, steward.physics.TurnSink sink) {
+            public Verdict on(double time, int a, int b, Bodies all, TurnSink sink) {
                 asked.add("before " + all.vx[b]);
                 return Verdict.BOUNCE;
             }
 
             @Override
-            public boolean after(double time, int a, int b, Bodies all, steward.physics.TurnSink sink) {
+            public boolean after(double time, int a, int b, Bodies all, TurnSink sink) {
                 asked.add("after " + all.vx[b]);
                 sink.fact(time, 3, all.id(a), all.id(b), 1, 2, 4, 5);
                 all.setVelocity(2, 0, 50);
                 return true;
             }
         };
-        for (Advance advance : advances(parts(contacts, Arithmetic.DOUBLE, reaction))) {
+        for (Advance advance : advances(contacts, Arithmetic.DOUBLE, reaction)) {
             asked.clear();
             log.clear();
             Bodies bodies = pair();
@@ -147,18 +143,11 @@ class OwnDistanceTest {
     /** Under the official law three touch at once; the first answer alters, the second pair still has its turn. */
     @Test
     void anAlterationLetsTheBatchGoOn() {
-        Contacts contacts = new Contacts(1).set(0, 0, Contacts.Meaning.ASK);
-        Bodies bodies = new Bodies(3);
-        for (int k = 0; k < 3; k++) {
-            Scenes.add(bodies, 25 * k, 0, 100 * (1 - k), 0, 1);
-        }
-        new EventAdvance(new PhysicsParts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL, contacts, List.of(),
-            (time, a, b, all, sink) -> {
-                asked.add(all.id(a) + "," + all.id(b) + " at " + Math.round(1000 * time) / 1000.0);
-                all.setPosition(a, all.x[a], 500 * (1 + all.id(a)));
-                return Reaction.Verdict.ALTERED;
-            }, false)).turn(bodies, log);
-
+        assertEquals(3, afterABatch((time, a, b, all, sink) -> {
+            asked.add(all.id(a) + "," + all.id(b) + " at " + Math.round(1000 * time) / 1000.0);
+            all.setPosition(a, all.x[a], 500 * (1 + all.id(a)));
+            return Reaction.Verdict.ALTERED;
+        }).size());
         assertEquals(List.of("2,1 at 0.05", "1,0 at 0.05"), asked,
             "in one batch: that 2 is gone does not matter to 1 and 0");
     }
@@ -166,19 +155,18 @@ class OwnDistanceTest {
     /** As a change: the rest of the batch would be about other bodies. */
     @Test
     void anAlterationThatRemovesDropsTheBatch() {
-        Contacts contacts = new Contacts(1).set(0, 0, Contacts.Meaning.ASK);
-        Bodies bodies = new Bodies(3);
-        for (int k = 0; k < 3; k++) {
-            Scenes.add(bodies, 25 * k, 0, 100 * (1 - k), 0, 1);
-        }
-        new EventAdvance(new PhysicsParts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL, contacts, List.of(),
-            (time, a, b, all, sink) -> {
-                asked.add(all.id(a) + "," + all.id(b));
-                all.remove(a);
-                return Reaction.Verdict.ALTERED;
-            }, false)).turn(bodies, log);
-
+        assertEquals(1, afterABatch((time, a, b, all, sink) -> {
+            asked.add(all.id(a) + "," + all.id(b));
+            all.remove(a);
+            return Reaction.Verdict.ALTERED;
+        }).size());
         assertEquals(List.of("2,1", "1,0"), asked);
-        assertEquals(1, bodies.size());
+    }
+
+    private Bodies afterABatch(Reaction reaction) {
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 100, 0}, {25, 0, 0, 0}, {50, 0, -100, 0}});
+        new EventAdvance(new PhysicsParts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL,
+            new Contacts(1).set(0, 0, Contacts.Meaning.ASK), List.of(), reaction, false)).turn(bodies, log);
+        return bodies;
     }
 }

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -16,7 +15,6 @@ import steward.physics.Advance;
 import steward.physics.Arena;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
-import steward.physics.Contacts;
 import steward.physics.Forces;
 import steward.physics.HalfPlane;
 import steward.physics.PhysicsParts;
@@ -121,8 +119,7 @@ class PilesTest {
     private static void fall(Arithmetic arithmetic, int count, double ratio, double restitution, int turns,
                              Wall... walls) {
         Forces gravity = new Forces(0, 0, 0, -2);
-        PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, arithmetic, new Contacts(1), List.of(walls),
-            null, true).withForces(gravity);
+        PhysicsParts parts = Scenes.parts(Scenes.WITH_RESTITUTION, arithmetic, walls).withForces(gravity);
         Bodies bodies = bodies(new SplitMix64(count), count, ratio, restitution, walls);
         Advance advance = new EventAdvance(parts);
         TurnLog log = new TurnLog();
@@ -153,8 +150,7 @@ class PilesTest {
         SplitMix64 random = new SplitMix64(place.ordinal());
         for (int count : new int[] {3, 9, 24}) {
             Wall[] walls = place.walls(0);
-            PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, arithmetic, new Contacts(1),
-                List.of(walls), null, true);
+            PhysicsParts parts = Scenes.parts(Scenes.WITH_RESTITUTION, arithmetic, walls);
             Bodies bodies = bodies(random, count, ratio, 0, walls);
             String what = arithmetic + ", " + count + " bodies";
             press(bodies, random, place, busy, walls, new EventAdvance(parts), new QueueAdvance(parts), what);
@@ -174,10 +170,8 @@ class PilesTest {
             }
             double energy = Scenes.energy(bodies);
             copy.copyFrom(bodies);
-            TurnLog one = new TurnLog();
-            alone.turn(bodies, one);
-            TurnLog other = new TurnLog();
-            crowd.turn(copy, other);
+            TurnLog one = Scenes.turn(alone, bodies);
+            TurnLog other = Scenes.turn(crowd, copy);
             String where = what + ", turn " + turn + ": ";
             assertFalse(one.limited(), where + "limited");
             assertTrue(one.impacts() <= MOST_IMPACTS, where + one.impacts() + " impacts");

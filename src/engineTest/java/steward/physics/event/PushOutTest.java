@@ -29,10 +29,8 @@ class PushOutTest {
     }
 
     private static Bodies overlapping(double massA, double massB) {
-        Bodies bodies = new Bodies(3);
-        Scenes.add(bodies, 500, 500, 0, 0, 1);
-        Scenes.add(bodies, 100, 100, 3, 4, massA);
-        Scenes.add(bodies, 112, 100, 0, 0, massB);
+        Bodies bodies = Scenes.bodies(new double[][] {{500, 500, 0, 0}, {100, 100, 3, 4, massA},
+            {112, 100, 0, 0, massB}});
         bodies.remove(0);
         return bodies;
     }

@@ -166,8 +166,7 @@ class QueueAdvanceTest {
             Scenes.add(bodies, x + 64, 0, -44, 0, 1);
             Scenes.add(bodies, x + 128, 0, 0, -160, 1);
         }
-        Bodies other = new Bodies(bodies.capacity());
-        other.copyFrom(bodies);
+        Bodies other = bodies.copy();
         List<String> expected = untilHalfOfTheSecondTurn(new EventAdvance(parts), bodies);
         assertEquals(120, expected.size());
         assertEquals(expected, untilHalfOfTheSecondTurn(new QueueAdvance(parts), other));
@@ -177,8 +176,7 @@ class QueueAdvanceTest {
     private static List<String> untilHalfOfTheSecondTurn(Advance advance, Bodies bodies) {
         List<String> meetings = new ArrayList<>();
         for (int turn = 0; turn < 2; turn++) {
-            TurnLog log = new TurnLog();
-            advance.turn(bodies, log);
+            TurnLog log = Scenes.turn(advance, bodies);
             for (int k = 0; k < log.impacts() && (turn == 0 || log.impact(k).time() < 0.5); k++) {
                 Impact impact = log.impact(k);
                 meetings.add(String.format(Locale.ROOT, "%.6f %d-%d", turn + impact.time(), impact.a(), impact.b()));
@@ -234,9 +232,8 @@ class QueueAdvanceTest {
         for (int n = 0; n < 2000; n++) {
             double along = 100 * random.nextDouble();
             double speed = 100 * random.nextDouble();
-            Bodies bodies = new Bodies(1);
-            bodies.add(0.6 * 10 + 0.8 * along, 0.8 * 10 - 0.6 * along, 10, 1);
-            bodies.setVelocity(0, 0.8 * speed, -0.6 * speed);
+            Bodies bodies = Scenes.bodies(new double[][] {
+                {0.6 * 10 + 0.8 * along, 0.8 * 10 - 0.6 * along, 0.8 * speed, -0.6 * speed}});
             compare("slanted " + n, parts, bodies, 1);
         }
         assertTrue(impacts > 100, impacts + " impacts");
@@ -348,9 +345,7 @@ class QueueAdvanceTest {
     @Test
     void aTurnMayEndWithoutBodies() {
         Contacts contacts = new Contacts(1).set(0, 0, Contacts.Meaning.ASK);
-        Bodies bodies = new Bodies(2);
-        Scenes.add(bodies, 0, 0, 100, 0, 1);
-        Scenes.add(bodies, 64, 0, 0, 0, 1);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 100, 0}, {64, 0, 0, 0}});
         compare("nobody left", new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, contacts, List.of(),
             (time, a, b, all, sink) -> {
                 all.remove(b);
@@ -382,21 +377,6 @@ class QueueAdvanceTest {
             assertThrows(IllegalArgumentException.class, () -> new QueueAdvance(parts)).getMessage());
     }
 
-    /** Whatever an advance has played before, the turn depends on the bodies alone. */
-    @Test
-    void theResultDoesNotDependOnEarlierTurns() {
-        PhysicsParts parts = parts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, BOX);
-        Advance used = new QueueAdvance(parts);
-        Bodies bodies = Scenes.grid(new SplitMix64(3), 10, SIDE, 30, 300);
-        for (int turn = 0; turn < 10; turn++) {
-            Bodies copy = new Bodies(bodies.capacity());
-            copy.copyFrom(bodies);
-            used.turn(bodies, TurnSink.NONE);
-            new QueueAdvance(parts).turn(copy, TurnSink.NONE);
-            assertArrayEquals(Scenes.bits(copy), Scenes.bits(bodies));
-        }
-    }
-
     /** Cells that are full, bodies in none, and rings shorter than what is read of them. */
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 40, 400})
@@ -407,8 +387,7 @@ class QueueAdvanceTest {
             Bodies bodies = mixed(random, count, 0.5, count > 100 ? 8 : 30);
             bodies.setRadius(0, bodies.radius[0] / 100);
             bodies.setVelocity(0, 1e5, 0);
-            Bodies other = new Bodies(bodies.capacity());
-            other.copyFrom(bodies);
+            Bodies other = bodies.copy();
             Advance reading = new QueueAdvance(parts(ImpactLaw.PHYSICS, arithmetic, BOX), 1);
             Advance plain = new QueueAdvance(parts(ImpactLaw.PHYSICS, arithmetic, BOX));
             for (int turn = 0; turn < 4; turn++) {
@@ -431,7 +410,7 @@ class QueueAdvanceTest {
     }
 
     private static PhysicsParts parts(ImpactLaw law, Arithmetic arithmetic, Wall... walls) {
-        return new PhysicsParts(law, arithmetic, new Contacts(1), List.of(walls), null, true);
+        return Scenes.parts(law, arithmetic, walls);
     }
 
     /** Radii between the two, at random places where nobody else is. */

@@ -51,9 +51,7 @@ class ReactionTest {
 
     /** 80 u of room at 100 u per turn; kinds 0 and 1. */
     private static Bodies pair(double massA, double massB) {
-        Bodies bodies = new Bodies(8);
-        Scenes.add(bodies, 0, 0, 100, 0, massA);
-        Scenes.add(bodies, 100, 0, 0, 0, massB);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 100, 0, massA}, {100, 0, 0, 0, massB}});
         bodies.setKind(1, 1);
         return bodies;
     }
@@ -82,8 +80,7 @@ class ReactionTest {
             for (int k = 0; k < 9; k++) {
                 bodies.setKind(k, random.nextInt(2));
             }
-            Bodies twin = new Bodies(9);
-            twin.copyFrom(bodies);
+            Bodies twin = bodies.copy();
             Wall[] walls = Wall.box(600, 600, 1);
             EventAdvance plain = advance(Meaning.BOUNCE, null, walls);
             EventAdvance asking = advance(Meaning.ASK, always(Verdict.BOUNCE), walls);
@@ -188,8 +185,7 @@ class ReactionTest {
         EventAdvance advance = advance(Meaning.ASK,
             (time, a, b, all, sink) -> asked.size() == 1 ? Verdict.PASS : Verdict.BOUNCE);
         advance.turn(bodies, log);
-        Bodies copy = new Bodies(8);
-        copy.copyFrom(bodies);
+        Bodies copy = bodies.copy();
         advance.turn(bodies, log);
         advance.turn(copy, log);
         assertArrayEquals(Scenes.bits(bodies), Scenes.bits(copy));
@@ -199,10 +195,7 @@ class ReactionTest {
     /** The passing pair is known by ids: the one in front of it goes, and it passes on. */
     @Test
     void removalDoesNotDisturbWhoPasses() {
-        Bodies bodies = new Bodies(4);
-        Scenes.add(bodies, 900, 900, 0, 0, 1);
-        Scenes.add(bodies, 0, 0, 100, 0, 1);
-        Scenes.add(bodies, 100, 0, 0, 0, 1);
+        Bodies bodies = Scenes.bodies(new double[][] {{900, 900, 0, 0}, {0, 0, 100, 0}, {100, 0, 0, 0}});
         bodies.setKind(2, 1);
         EventAdvance advance = advance(Meaning.ASK, always(Verdict.PASS));
         advance.turn(bodies, log);
@@ -261,10 +254,7 @@ class ReactionTest {
     @Test
     void aChangeDropsTheRestOfTheBatch() {
         Contacts contacts = new Contacts(1).set(0, 0, Meaning.ASK);
-        Bodies bodies = new Bodies(3);
-        for (int k = 0; k < 3; k++) {
-            Scenes.add(bodies, 25 * k, 0, 100 * (1 - k), 0, 1);
-        }
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 100, 0}, {25, 0, 0, 0}, {50, 0, -100, 0}});
         new EventAdvance(new PhysicsParts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL, contacts, List.of(),
             noting((time, a, b, all, sink) -> {
                 all.remove(a);

@@ -8,7 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
@@ -27,14 +27,31 @@ import steward.physics.Wall;
 @Execution(ExecutionMode.CONCURRENT)
 class RestTest {
 
-    static Arithmetic[] rungs() {
-        return Arithmetic.values();
+    private static List<Advance> both(Arithmetic arithmetic, Wall... walls) {
+        return Scenes.both(Scenes.parts(Scenes.WITH_RESTITUTION, arithmetic, walls));
     }
 
-    private static List<Advance> both(Arithmetic arithmetic, Wall... walls) {
-        PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, arithmetic, new Contacts(1), List.of(walls),
-            null, true);
-        return List.of(new EventAdvance(parts), new QueueAdvance(parts));
+    /** Bodies one above the other, which touch each other and the floor. */
+    private static Bodies column(int count, double vy, double restitution) {
+        Bodies bodies = new Bodies(count);
+        for (int k = 0; k < count; k++) {
+            Scenes.add(bodies, 0, 10 + 20 * k, 0, vy, 1);
+        }
+        Scenes.setRestitution(bodies, restitution);
+        return bodies;
+    }
+
+    /** Thirty bodies in rows from a corner on, with a gap and up to so much play between them. */
+    private static Bodies rows(int perRow, double gap, double play, double restitution) {
+        SplitMix64 random = new SplitMix64(26);
+        Bodies bodies = new Bodies(30);
+        for (int k = 0; k < 30; k++) {
+            double x = 10 + (20 + gap) * (k % perRow) + (perRow == 1 ? 0 : play * random.nextDouble());
+            Scenes.add(bodies, x, 10 + (20 + gap) * (k / perRow) + play * random.nextDouble(), 0, 0,
+                1 + 2 * random.nextDouble());
+        }
+        Scenes.setRestitution(bodies, restitution);
+        return bodies;
     }
 
     private static HalfPlane floor(double restitution) {
@@ -51,18 +68,12 @@ class RestTest {
      * </pre>
      */
     @ParameterizedTest
-    @MethodSource("rungs")
+    @EnumSource
     void twoBodiesOnAWallWithoutRestitutionRest(Arithmetic arithmetic) {
         for (Advance advance : both(arithmetic, floor(0))) {
-            Bodies bodies = new Bodies(3);
-            Scenes.add(bodies, 0, 10, 0, -20, 1);
-            Scenes.add(bodies, 0, 30, 0, -20, 1);
-            Scenes.add(bodies, 500, 500, 0, -20, 1);
-            for (int k = 0; k < 3; k++) {
-                bodies.setRestitution(k, 0);
-            }
-            TurnLog log = new TurnLog();
-            advance.turn(bodies, log);
+            Bodies bodies = Scenes.bodies(new double[][] {{0, 10, 0, -20}, {0, 30, 0, -20}, {500, 500, 0, -20}});
+            Scenes.setRestitution(bodies, 0);
+            TurnLog log = Scenes.turn(advance, bodies);
             assertTrue(log.impacts() <= 5, log.impacts() + " impacts");
             double intoWall = 0;
             for (int k = 0; k < log.impacts(); k++) {
@@ -90,7 +101,7 @@ class RestTest {
      * </pre>
      */
     @ParameterizedTest
-    @MethodSource("rungs")
+    @EnumSource
     void aBodyThatAReactionHasRemovedIsNoPartOfAHeap(Arithmetic arithmetic) {
         Contacts contacts = new Contacts(2).set(1, 1, Contacts.Meaning.ASK);
         PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, arithmetic, contacts, List.of(floor(0)),
@@ -99,18 +110,14 @@ class RestTest {
                 bodies.remove(2);
                 return Reaction.Verdict.CHANGED;
             }, true);
-        for (Advance advance : List.of(new EventAdvance(parts), new QueueAdvance(parts))) {
-            Bodies bodies = new Bodies(4);
-            Scenes.add(bodies, 0, 12.000002, 0, -20, 1);
-            Scenes.add(bodies, 0, 32.000003, 0, -20, 1);
-            Scenes.add(bodies, 40, 52.000004, -200, -20, 1);
-            Scenes.add(bodies, 0, 52.000004, 0, -20, 1);
+        for (Advance advance : Scenes.both(parts)) {
+            Bodies bodies = Scenes.bodies(new double[][] {{0, 12.000002, 0, -20}, {0, 32.000003, 0, -20},
+                {40, 52.000004, -200, -20}, {0, 52.000004, 0, -20}});
             for (int k = 0; k < 4; k++) {
                 bodies.setRestitution(k, 0);
                 bodies.setKind(k, k / 2);
             }
-            TurnLog log = new TurnLog();
-            advance.turn(bodies, log);
+            TurnLog log = Scenes.turn(advance, bodies);
             assertEquals(2, bodies.size());
             assertTrue(log.impacts() >= 2 && log.impacts() <= 5, log.impacts() + " impacts");
             for (int k = 0; k < log.impacts(); k++) {
@@ -124,16 +131,14 @@ class RestTest {
      * contact.
      */
     @ParameterizedTest
-    @MethodSource("rungs")
+    @EnumSource
     void aChainIsSolvedAsOneInTheOrderOfIds(Arithmetic arithmetic) {
         for (Advance advance : both(arithmetic, floor(0))) {
-            Bodies bodies = new Bodies(5);
+            Bodies bodies = column(5, -20, 0);
             for (int k = 0; k < 5; k++) {
-                Scenes.add(bodies, 0, 10 + 20 * k, 0, -20, 1 + k);
-                bodies.setRestitution(k, 0);
+                bodies.setMass(k, 1 + k);
             }
-            TurnLog log = new TurnLog();
-            advance.turn(bodies, log);
+            TurnLog log = Scenes.turn(advance, bodies);
             int last = log.impacts() - 1;
             assertEquals("0-1 0--1 1-2 2-3 3-4", pairs(log, last - 4, last));
             assertEquals(log.impact(last - 4).time(), log.impact(last).time());
@@ -154,7 +159,7 @@ class RestTest {
 
     /** Thirty in a column with gaps up to 0.5: the number of impacts, and the energy. */
     @ParameterizedTest
-    @MethodSource("rungs")
+    @EnumSource
     void thirtyBodiesWithGapsRest(Arithmetic arithmetic) {
         for (Advance advance : both(arithmetic, floor(0))) {
             SplitMix64 random = new SplitMix64(30);
@@ -168,8 +173,7 @@ class RestTest {
             double before = Scenes.energy(bodies);
             for (int turn = 0; turn < 5; turn++) {
                 double energy = Scenes.energy(bodies);
-                TurnLog log = new TurnLog();
-                advance.turn(bodies, log);
+                TurnLog log = Scenes.turn(advance, bodies);
                 assertFalse(log.limited());
                 assertTrue(log.impacts() <= 500, log.impacts() + " impacts");
                 assertTrue(Scenes.energy(bodies) <= energy);
@@ -180,21 +184,18 @@ class RestTest {
 
     /** Three bodies with e = 0.3, pressed against a wall each turn: some hundred impacts leave 2^-40 of the energy. */
     @ParameterizedTest
-    @MethodSource("rungs")
+    @EnumSource
     void bodiesThatCollapseRestAtAShareOfTheirEnergy(Arithmetic arithmetic) {
         for (double heavy : new double[] {1, 3}) {
             for (Advance advance : both(arithmetic, floor(0.3))) {
-                Bodies bodies = new Bodies(3);
-                for (int k = 0; k < 3; k++) {
-                    Scenes.add(bodies, 0, 10 + 20 * k, 0, 0, k == 0 ? 1 : heavy);
-                    bodies.setRestitution(k, 0.3);
-                }
+                Bodies bodies = column(3, 0, 0.3);
+                bodies.setMass(1, heavy);
+                bodies.setMass(2, heavy);
                 for (int turn = 0; turn < 20; turn++) {
                     for (int k = 0; k < 3; k++) {
                         bodies.vy[k] -= 20;
                     }
-                    TurnLog log = new TurnLog();
-                    advance.turn(bodies, log);
+                    TurnLog log = Scenes.turn(advance, bodies);
                     assertTrue(!log.limited() && log.impacts() <= 1000, log.impacts() + " impacts");
                 }
             }
@@ -206,7 +207,7 @@ class RestTest {
      * impacts end when 2^-20 of its speed is left, for e = 0.9 after 132.
      */
     @ParameterizedTest
-    @MethodSource("rungs")
+    @EnumSource
     void aBodyBetweenWallsThatAreTooNarrowRests(Arithmetic arithmetic) {
         for (double e : new double[] {0, 0.3, 0.9}) {
             for (Advance advance : both(arithmetic, new HalfPlane(0, 0, 1, 0, e), new HalfPlane(19, 0, -1, 0, e))) {
@@ -214,8 +215,7 @@ class RestTest {
                 Scenes.add(bodies, 9.5, 0, 7, 3, 1);
                 bodies.setRestitution(0, e);
                 for (int turn = 1; turn <= 3; turn++) {
-                    TurnLog log = new TurnLog();
-                    advance.turn(bodies, log);
+                    TurnLog log = Scenes.turn(advance, bodies);
                     assertTrue(!log.limited() && log.impacts() <= 132, "e " + e + ": " + log.impacts() + " impacts");
                     assertEquals(0, bodies.vx[0], "e " + e);
                     assertEquals(3.0 * turn, bodies.y[0], 1e-12, "e " + e);
@@ -226,14 +226,13 @@ class RestTest {
 
     /** A ball that bounces between two walls has room: it keeps bouncing with e, however often. */
     @ParameterizedTest
-    @MethodSource("rungs")
+    @EnumSource
     void aBallBetweenWallsWithRoomBounces(Arithmetic arithmetic) {
         for (Advance advance : both(arithmetic, new HalfPlane(0, 0, 1, 0, 0.9), new HalfPlane(30, 0, -1, 0, 0.9))) {
             Bodies bodies = new Bodies(1);
             Scenes.add(bodies, 10, 0, 100, 3, 1);
             bodies.setRestitution(0, 0.9);
-            TurnLog log = new TurnLog();
-            advance.turn(bodies, log);
+            TurnLog log = Scenes.turn(advance, bodies);
             assertEquals(100 * Math.pow(0.9, log.impacts()), Math.abs(bodies.vx[0]), 1e-9);
             assertTrue(log.impacts() >= 6, log.impacts() + " impacts");
         }
@@ -243,19 +242,14 @@ class RestTest {
      * A law's own rest speed: with 0 the heap bounces on, with one above all speeds it rests after its first impacts.
      */
     @ParameterizedTest
-    @MethodSource("rungs")
+    @EnumSource
     void aLawMayNameTheRestSpeed(Arithmetic arithmetic) {
         int[] impacts = new int[2];
         for (int k = 0; k < 2; k++) {
-            PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION.withRestSpeed(k == 0 ? 0 : 100), arithmetic,
-                new Contacts(1), List.of(floor(0.5)), null, true);
-            Bodies bodies = new Bodies(3);
-            for (int body = 0; body < 3; body++) {
-                Scenes.add(bodies, 0, 10 + 20 * body, 0, -20, 1);
-                bodies.setRestitution(body, 0.5);
-            }
-            TurnLog log = new TurnLog();
-            new EventAdvance(parts).turn(bodies, log);
+            PhysicsParts parts = Scenes.parts(Scenes.WITH_RESTITUTION.withRestSpeed(k == 0 ? 0 : 100), arithmetic,
+                floor(0.5));
+            Bodies bodies = column(3, -20, 0.5);
+            TurnLog log = Scenes.turn(new EventAdvance(parts), bodies);
             impacts[k] = log.impacts();
             double after = Math.abs(bodies.vy[0]) + Math.abs(bodies.vy[1]) + Math.abs(bodies.vy[2]);
             assertTrue(k == 0 ? after > 1 : after < 1e-9, "speeds " + after);
@@ -265,25 +259,17 @@ class RestTest {
 
     /** Thirty without restitution in a corner, in rows of five or one above the other, pressed into it each turn. */
     @ParameterizedTest
-    @MethodSource("rungs")
+    @EnumSource
     void pilesPressedIntoACornerTakeAtMost500ImpactsATurn(Arithmetic arithmetic) {
         for (int perRow : new int[] {1, 5}) {
             for (Advance advance : both(arithmetic, floor(0), new HalfPlane(0, 0, 1, 0, 0))) {
-                SplitMix64 random = new SplitMix64(26);
-                Bodies bodies = new Bodies(30);
-                for (int k = 0; k < 30; k++) {
-                    double x = 10 + 20.02 * (k % perRow) + (perRow == 1 ? 0 : 0.01 * random.nextDouble());
-                    Scenes.add(bodies, x, 10 + 20.02 * (k / perRow) + 0.01 * random.nextDouble(), 0, 0,
-                        1 + 2 * random.nextDouble());
-                    bodies.setRestitution(k, 0);
-                }
+                Bodies bodies = rows(perRow, 0.02, 0.01, 0);
                 for (int turn = 1; turn <= 20; turn++) {
                     for (int k = 0; k < 30; k++) {
                         bodies.setVelocity(k, bodies.vx[k] - 15, bodies.vy[k] - 15);
                     }
                     double energy = Scenes.energy(bodies);
-                    TurnLog log = new TurnLog();
-                    advance.turn(bodies, log);
+                    TurnLog log = Scenes.turn(advance, bodies);
                     String where = perRow + " a row, turn " + turn + ": ";
                     assertTrue(!log.limited() && log.impacts() <= 500, where + log.impacts() + " impacts");
                     assertTrue(Scenes.energy(bodies) <= energy, where + "energy grew");
@@ -294,18 +280,12 @@ class RestTest {
 
     /** Without restitution a rebound is 0, at most any rest speed: nothing is given back, and the heap lies still. */
     @ParameterizedTest
-    @MethodSource("rungs")
+    @EnumSource
     void bodiesWithoutRestitutionRestAlsoAtRestSpeedZero(Arithmetic arithmetic) {
-        PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION.withRestSpeed(0), arithmetic, new Contacts(1),
-            List.of(floor(0)), null, true);
-        for (Advance advance : List.of(new EventAdvance(parts), new QueueAdvance(parts))) {
-            Bodies bodies = new Bodies(3);
-            for (int body = 0; body < 3; body++) {
-                Scenes.add(bodies, 0, 10 + 20 * body, 0, -20, 1);
-                bodies.setRestitution(body, 0);
-            }
-            TurnLog log = new TurnLog();
-            advance.turn(bodies, log);
+        PhysicsParts parts = Scenes.parts(Scenes.WITH_RESTITUTION.withRestSpeed(0), arithmetic, floor(0));
+        for (Advance advance : Scenes.both(parts)) {
+            Bodies bodies = column(3, -20, 0);
+            TurnLog log = Scenes.turn(advance, bodies);
             assertTrue(!log.limited() && log.impacts() <= 5, log.impacts() + " impacts");
             assertEquals(0, Scenes.energy(bodies), 1e-18);
         }
@@ -313,7 +293,7 @@ class RestTest {
 
     /** Gases, squeezes and corners without forces: rest takes at most 1e-6 of the energy that a turn begins with. */
     @ParameterizedTest
-    @MethodSource("rungs")
+    @EnumSource
     void restTakesNextToNothingWhereNoForceActs(Arithmetic arithmetic) {
         SplitMix64 random = new SplitMix64(55);
         double taken = 0;
@@ -331,9 +311,7 @@ class RestTest {
                 } else if (n % 3 == 2) {
                     Scenes.add(bodies, 30, 30.001, 500, 500, 1);
                 }
-                for (int k = 0; k < bodies.size(); k++) {
-                    bodies.setRestitution(k, e);
-                }
+                Scenes.setRestitution(bodies, e);
                 TurnLog log = new TurnLog();
                 for (int turn = 1; turn <= 20; turn++) {
                     double energy = Scenes.energy(bodies);
@@ -355,24 +333,16 @@ class RestTest {
     void pilesThatForcesPressIntoACornerComeToRest(double e) {
         Forces forces = new Forces(0, 0, -1, -2);
         for (int perRow : new int[] {1, 5}) {
-            PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, Arithmetic.DOUBLE, new Contacts(1),
-                List.of(floor(e), new HalfPlane(0, 0, 1, 0, e)), null, true).withForces(forces);
-            for (Advance advance : List.of(new EventAdvance(parts), new QueueAdvance(parts))) {
-                SplitMix64 random = new SplitMix64(26);
-                Bodies bodies = new Bodies(30);
-                for (int k = 0; k < 30; k++) {
-                    double x = 10 + 20.5 * (k % perRow) + (perRow == 1 ? 0 : 0.5 * random.nextDouble());
-                    Scenes.add(bodies, x, 10 + 20.5 * (k / perRow) + 0.5 * random.nextDouble(), 0, 0,
-                        1 + 2 * random.nextDouble());
-                    bodies.setRestitution(k, e);
-                }
+            PhysicsParts parts = Scenes.parts(Scenes.WITH_RESTITUTION, Arithmetic.DOUBLE, floor(e),
+                new HalfPlane(0, 0, 1, 0, e)).withForces(forces);
+            for (Advance advance : Scenes.both(parts)) {
+                Bodies bodies = rows(perRow, 0.5, 0.5, e);
                 int still = 0;
                 for (int turn = 1; turn <= 600 && still < 20; turn++) {
                     for (int k = 0; k < 30; k++) {
                         forces.accelerate(bodies, k, 0, 0);
                     }
-                    TurnLog log = new TurnLog();
-                    advance.turn(bodies, log);
+                    TurnLog log = Scenes.turn(advance, bodies);
                     String where = perRow + " a row, e " + e + ", turn " + turn + ": ";
                     assertTrue(!log.limited() && (still == 0 || log.impacts() <= 500), where + log.impacts());
                     still = Scenes.energy(bodies) < 1e-12 ? still + 1 : 0;

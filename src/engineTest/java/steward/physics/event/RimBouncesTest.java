@@ -29,7 +29,7 @@ class RimBouncesTest {
     private static List<Advance> both(Arithmetic arithmetic, double restitution) {
         PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, arithmetic, new Contacts(1),
             List.of(new Arena(0, 0, 500, restitution)), null, false);
-        return List.of(new EventAdvance(parts), new QueueAdvance(parts));
+        return Scenes.both(parts);
     }
 
     /** Distance of a body from its place on the chords after a path of this length. */
@@ -60,8 +60,7 @@ class RimBouncesTest {
                 Bodies bodies = new Bodies(1);
                 Scenes.add(bodies, ROOM * Math.cos(theta), 0, 0, speed, 1);
                 double angular = angularMomentum(bodies);
-                TurnLog log = new TurnLog();
-                advance.turn(bodies, log);
+                TurnLog log = Scenes.turn(advance, bodies);
                 String what = arithmetic + ", " + speed + " u a turn, " + theta + " rad";
                 assertEquals(expected, log.impacts(), 1, what);
                 assertEquals(angular, angularMomentum(bodies), 1e-12 * angular, what);

@@ -1,12 +1,18 @@
 package steward.physics.event;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
 import java.util.List;
+import java.util.function.Supplier;
 import steward.numerics.SplitMix64;
+import steward.physics.Advance;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
+import steward.physics.TurnLog;
 import steward.physics.Wall;
 
 /** Small worlds that several tests of the physics share, and sums over them. */
@@ -18,9 +24,68 @@ public final class Scenes {
     private Scenes() {
     }
 
+    /** Parts with one kind of bodies, of any mass, that bounce. */
+    public static PhysicsParts parts(ImpactLaw law, Arithmetic arithmetic, Wall... walls) {
+        return new PhysicsParts(law, arithmetic, new Contacts(1), List.of(walls), null, true);
+    }
+
     static EventAdvance advance(ImpactLaw law, Wall... walls) {
-        return new EventAdvance(
-            new PhysicsParts(law, Arithmetic.DOUBLE, new Contacts(1), List.of(walls), null, true));
+        return new EventAdvance(parts(law, Arithmetic.DOUBLE, walls));
+    }
+
+    /** The two ways from impact to impact: by all pairs, and as a crowd. */
+    static List<Advance> both(PhysicsParts parts) {
+        return List.of(new EventAdvance(parts), new QueueAdvance(parts));
+    }
+
+    /** Plays a turn. @return its log */
+    public static TurnLog turn(Advance advance, Bodies bodies) {
+        TurnLog log = new TurnLog();
+        advance.turn(bodies, log);
+        return log;
+    }
+
+    /** Bodies of a row each: x, y, vx, vy, then mass and radius where they are not 1 and 10; some more find room. */
+    public static Bodies bodies(double[]... rows) {
+        Bodies bodies = new Bodies(rows.length + 8);
+        for (double[] row : rows) {
+            bodies.setVelocity(bodies.add(row[0], row[1], row.length > 5 ? row[5] : 10, row.length > 4 ? row[4] : 1),
+                row[2], row[3]);
+        }
+        return bodies;
+    }
+
+    /** Plays a turn in two ways, which must end alike, with the same impacts. @return how many there were */
+    static int assertSameTurn(Advance expected, Advance found, Bodies bodies, String what) {
+        Bodies copy = bodies.copy();
+        TurnLog log = turn(found, bodies);
+        assertSameImpacts(turn(expected, copy), log, () -> what);
+        assertArrayEquals(bits(copy), bits(bodies), what);
+        return log.impacts();
+    }
+
+    /** Requires the same impacts and knots, to the last bit. */
+    public static void assertSameLog(TurnLog expected, TurnLog found, Supplier<String> where) {
+        assertSameImpacts(expected, found, where);
+        assertEquals(expected.knots(), found.knots(), where);
+        for (int k = 0; k < expected.knots(); k++) {
+            assertEquals(List.of(expected.knotBody(k), expected.knotTime(k), expected.knotX(k), expected.knotY(k)),
+                List.of(found.knotBody(k), found.knotTime(k), found.knotX(k), found.knotY(k)), where);
+        }
+    }
+
+    private static void assertSameImpacts(TurnLog expected, TurnLog found, Supplier<String> where) {
+        assertEquals(expected.impacts(), found.impacts(), where);
+        for (int k = 0; k < expected.kept(); k++) {
+            assertEquals(expected.impact(k), found.impact(k), where);
+        }
+    }
+
+    /** Gives all bodies this restitution. */
+    public static void setRestitution(Bodies bodies, double restitution) {
+        for (int k = 0; k < bodies.size(); k++) {
+            bodies.setRestitution(k, restitution);
+        }
     }
 
     /** Adds a body of radius 10 with a velocity. */
@@ -76,6 +141,11 @@ public final class Scenes {
             bodies.setVelocity(body, speed * (2 * random.nextDouble() - 1), speed * (2 * random.nextDouble() - 1));
         }
         return bodies;
+    }
+
+    /** Place and velocity of a body: x, y, vx, vy. */
+    static double[] state(Bodies bodies, int body) {
+        return new double[] {bodies.x[body], bodies.y[body], bodies.vx[body], bodies.vy[body]};
     }
 
     /** The bits of all positions and velocities, in order. */

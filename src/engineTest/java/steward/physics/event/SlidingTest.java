@@ -26,7 +26,7 @@ class SlidingTest {
         PhysicsParts parts = new PhysicsParts(law, arithmetic, new Contacts(1),
             List.of(new Arena(0, 0, 500, restitution)), null, false);
         return law.batchWindow() > 0 ? List.of(new EventAdvance(parts))
-            : List.of(new EventAdvance(parts), new QueueAdvance(parts));
+            : Scenes.both(parts);
     }
 
     private static Bodies onTheRim(double inward) {
@@ -45,8 +45,7 @@ class SlidingTest {
                     double energy = Scenes.energy(bodies);
                     String what = "inward " + inward + ", e " + restitution;
                     for (int turn = 1; turn <= 20; turn++) {
-                        TurnLog log = new TurnLog();
-                        advance.turn(bodies, log);
+                        TurnLog log = Scenes.turn(advance, bodies);
                         double angle = Math.atan2(bodies.y[0], bodies.x[0]);
                         assertEquals(0, Math.IEEEremainder(angle - turn * 300 / 490.0, 2 * Math.PI), 1e-6, what);
                         assertEquals(energy, Scenes.energy(bodies), 1e-12 * energy, what);
@@ -63,8 +62,7 @@ class SlidingTest {
     void alsoInBatches(Arithmetic arithmetic) {
         for (Advance advance : both(ImpactLaw.OFFICIAL_POD_RACE, arithmetic, 1)) {
             Bodies bodies = onTheRim(0);
-            TurnLog log = new TurnLog();
-            advance.turn(bodies, log);
+            TurnLog log = Scenes.turn(advance, bodies);
             assertEquals(300 / 490.0, Math.atan2(bodies.y[0], bodies.x[0]), 1e-6);
             double momentumX = 0;
             double momentumY = 300;
@@ -84,8 +82,7 @@ class SlidingTest {
         for (Advance advance : both(Scenes.WITH_RESTITUTION, arithmetic, 1)) {
             Bodies bodies = onTheRim(0);
             Scenes.add(bodies, 490 * Math.cos(0.3), 490 * Math.sin(0.3), 0, 0, 1);
-            TurnLog log = new TurnLog();
-            advance.turn(bodies, log);
+            TurnLog log = Scenes.turn(advance, bodies);
             boolean met = false;
             for (int k = 0; k < log.impacts(); k++) {
                 met |= log.impact(k).a() == 0 && log.impact(k).b() == 1;

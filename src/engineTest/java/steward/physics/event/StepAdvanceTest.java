@@ -1,6 +1,5 @@
 package steward.physics.event;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -28,8 +27,7 @@ import steward.physics.Wall;
 class StepAdvanceTest {
 
     private static StepAdvance steps(int count, Wall... walls) {
-        return new StepAdvance(new PhysicsParts(Scenes.WITH_RESTITUTION, Arithmetic.DOUBLE, new Contacts(1),
-            List.of(walls), null, true), count);
+        return new StepAdvance(Scenes.parts(Scenes.WITH_RESTITUTION, Arithmetic.DOUBLE, walls), count);
     }
 
     /**
@@ -40,11 +38,8 @@ class StepAdvanceTest {
     @Test
     void aFastBodyTunnelsUnlessAStepEndsInTheOverlap() {
         for (int k : new int[] {1, 2, 4, 8, 16}) {
-            Bodies bodies = new Bodies(2);
-            Scenes.add(bodies, 0, 0, 400, 0, 1);
-            Scenes.add(bodies, 210, 0, 0, 0, 1);
-            TurnLog log = new TurnLog();
-            steps(k).turn(bodies, log);
+            Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 400, 0}, {210, 0, 0, 0}});
+            TurnLog log = Scenes.turn(steps(k), bodies);
             assertEquals(k == 1 ? 0 : 1, log.impacts(), k + " steps");
             assertEquals(k == 1 ? 400 : 0, bodies.vx[0], k + " steps");
         }
@@ -54,11 +49,8 @@ class StepAdvanceTest {
     @Test
     void anImpactIsLateByLessThanAStepAndPushesOutOfTheOverlap() {
         for (int k = 3; k <= StepAdvance.MOST_STEPS; k++) {
-            Bodies bodies = new Bodies(2);
-            Scenes.add(bodies, 0, 0, 100, 0, 1);
-            Scenes.add(bodies, 45, 0, 0, 0, 3);
-            TurnLog log = new TurnLog();
-            steps(k).turn(bodies, log);
+            Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 100, 0}, {45, 0, 0, 0, 3}});
+            TurnLog log = Scenes.turn(steps(k), bodies);
             assertEquals(1, log.impacts(), k + " steps");
             double time = log.impact(0).time();
             assertTrue(time >= 0.25 && time < 0.25 + 1.0 / k + 1e-12, k + " steps: " + time);
@@ -82,12 +74,10 @@ class StepAdvanceTest {
             Bodies start = new Bodies(2);
             Scenes.add(start, 0, 60 + 20 * random.nextDouble(), 40 + 20 * random.nextDouble(), -70, 1);
             Scenes.add(start, 60, 40 + aim, -10 * random.nextDouble(), 0, 2);
-            Bodies exact = new Bodies(2);
-            exact.copyFrom(start);
+            Bodies exact = start.copy();
             Scenes.advance(ImpactLaw.PHYSICS, wall).turn(exact, TurnSink.NONE);
             for (int p = 0; p <= 10; p++) {
-                Bodies stepped = new Bodies(2);
-                stepped.copyFrom(start);
+                Bodies stepped = start.copy();
                 steps(1 << p, wall).turn(stepped, TurnSink.NONE);
                 error[p] += Math.hypot(stepped.x[0] - exact.x[0], stepped.y[0] - exact.y[0]) / 200;
             }
@@ -107,8 +97,7 @@ class StepAdvanceTest {
             StepAdvance advance = steps(k, walls);
             double energy = Scenes.energy(bodies);
             for (int turn = 0; turn < 50; turn++) {
-                TurnLog log = new TurnLog();
-                advance.turn(bodies, log);
+                TurnLog log = Scenes.turn(advance, bodies);
                 impacts += log.impacts();
                 for (int i = 0; i < log.impacts(); i++) {
                     Impact impact = log.impact(i);
@@ -136,27 +125,11 @@ class StepAdvanceTest {
                 bodies.setRestitution(k, 0.05);
             }
             bodies.setMass(5, Double.POSITIVE_INFINITY);
-            StepAdvance advance = new StepAdvance(new PhysicsParts(law, Arithmetic.DOUBLE, new Contacts(1), List.of(),
-                null, true), 8);
-            TurnLog log = new TurnLog();
-            advance.turn(bodies, log);
+            StepAdvance advance = new StepAdvance(Scenes.parts(law, Arithmetic.DOUBLE), 8);
+            TurnLog log = Scenes.turn(advance, bodies);
             assertTrue(log.impacts() > 20 && log.impacts() <= 8 * 120, log.impacts() + " impacts");
             assertFalse(log.limited());
             assertTrue(Scenes.allFinite(bodies));
-        }
-    }
-
-    @Test
-    void theSameTurnTwiceIsTheSameToTheBit() {
-        for (long seed = 1; seed <= 20; seed++) {
-            Bodies bodies = Scenes.grid(new SplitMix64(seed), 4, 1000, 110, 900);
-            Bodies twin = new Bodies(16);
-            twin.copyFrom(bodies);
-            steps(4, Wall.box(1000, 1000, 0.9)).turn(bodies, new TurnLog());
-            StepAdvance used = steps(4, Wall.box(1000, 1000, 0.9));
-            used.turn(Scenes.grid(new SplitMix64(99), 4, 1000, 110, 900), TurnSink.NONE);
-            used.turn(twin, TurnSink.NONE);
-            assertArrayEquals(Scenes.bits(bodies), Scenes.bits(twin), "seed " + seed);
         }
     }
 
@@ -167,9 +140,7 @@ class StepAdvanceTest {
 
     @Test
     void contactsAskOnceAndThoseWhoPassAreLeftAlone() {
-        Bodies bodies = new Bodies(2);
-        Scenes.add(bodies, 0, 0, 100, 0, 1);
-        Scenes.add(bodies, 50, 0, 0, 0, 1);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 100, 0}, {50, 0, 0, 0}});
         bodies.setKind(1, 1);
         List<Double> asked = new ArrayList<>();
         StepAdvance advance = asking(8, (time, a, b, all, sink) -> {

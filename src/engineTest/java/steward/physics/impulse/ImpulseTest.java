@@ -186,9 +186,7 @@ class ImpulseTest {
     }
 
     private static Impact headOn(ImpactLaw law, double speed, double massA, double massB, double e) {
-        Bodies bodies = new Bodies(2);
-        Scenes.add(bodies, 0, 0, speed, 0, massA);
-        Scenes.add(bodies, 20, 0, 0, 0, massB);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, speed, 0, massA}, {20, 0, 0, 0, massB}});
         bodies.setRestitution(0, e);
         TurnLog log = new TurnLog();
         new Collision(law, new Wall[0]).react(bodies, 0, 1, 0, log);
@@ -217,9 +215,7 @@ class ImpulseTest {
     /** Centres that coincide part along x instead of dividing by 0. */
     @Test
     void coincidingCentresPartAlongX() {
-        Bodies bodies = new Bodies(2);
-        Scenes.add(bodies, 7, 7, 10, 0, 1);
-        Scenes.add(bodies, 7, 7, -10, 0, 1);
+        Bodies bodies = Scenes.bodies(new double[][] {{7, 7, 10, 0}, {7, 7, -10, 0}});
         TurnLog log = new TurnLog();
         new Collision(ImpactLaw.PHYSICS, new Wall[0]).react(bodies, 0, 1, 0, log);
         assertEquals(1, log.impact(0).normalX());

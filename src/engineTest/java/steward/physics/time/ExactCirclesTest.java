@@ -15,6 +15,7 @@ import steward.numerics.DoubleDouble;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
+import steward.physics.event.Scenes;
 
 /**
  * Decisions and times of the exact arithmetic against the definition in decimals: every decision is right, every time
@@ -59,10 +60,7 @@ class ExactCirclesTest {
     }
 
     private static Bodies pair(double x, double y, double vx, double vy, double ra, double rb) {
-        Bodies bodies = new Bodies(2);
-        bodies.add(x, y, ra, 1);
-        bodies.add(0, 0, rb, 1);
-        bodies.setVelocity(0, vx, vy);
+        Bodies bodies = Scenes.bodies(new double[][] {{x, y, vx, vy, 1, ra}, {0, 0, 0, 0, 1, rb}});
         return bodies;
     }
 

@@ -26,6 +26,7 @@ import steward.physics.TurnSink;
 import steward.physics.Wall;
 import steward.physics.event.EventAdvance;
 import steward.physics.event.QueueAdvance;
+import steward.physics.event.Scenes;
 import steward.physics.event.StepAdvance;
 
 /** Numbers whose squares no double can hold: computed right, or refused by name. */
@@ -36,10 +37,7 @@ class MagnitudesTest {
      *      o ->   o        radius 1, gap 2, closing 4: they meet at t = 1/2; equal masses exchange their speeds
      */
     private static Bodies pair(double scale) {
-        Bodies bodies = new Bodies(2);
-        bodies.add(-4 * scale, 0, scale, 1);
-        bodies.add(0, 0, scale, 1);
-        bodies.setVelocity(0, 4 * scale, 0);
+        Bodies bodies = Scenes.bodies(new double[][] {{-4 * scale, 0, 4 * scale, 0, 1, scale}, {0, 0, 0, 0, 1, scale}});
         return bodies;
     }
 
@@ -54,8 +52,7 @@ class MagnitudesTest {
         for (int exponent = -1070; exponent <= 995; exponent++) {
             double scale = Math.scalb(1.0, exponent);
             Bodies bodies = pair(scale);
-            TurnLog log = new TurnLog();
-            advance(arithmetic).turn(bodies, log);
+            TurnLog log = Scenes.turn(advance(arithmetic), bodies);
             assertEquals(1, log.impacts(), "2^" + exponent);
             assertEquals(0.5, log.impact(0).time(), "2^" + exponent);
             assertArrayEquals(new double[] {-2 * scale, 2 * scale, 0, 4 * scale},
@@ -75,8 +72,7 @@ class MagnitudesTest {
                 bodies.add((k % 2 == 0 ? -4 : 0) * scale, 16 * (k / 2) * scale, scale, 1);
                 bodies.setVelocity(k, k % 2 == 0 ? 4 * scale : 0, 0);
             }
-            TurnLog log = new TurnLog();
-            new QueueAdvance(parts).turn(bodies, log);
+            TurnLog log = Scenes.turn(new QueueAdvance(parts), bodies);
             assertEquals(20, log.impacts(), "2^" + exponent);
             for (int k = 0; k < 40; k++) {
                 assertEquals(0.5, log.impact(k / 2).time(), "2^" + exponent);
@@ -115,9 +111,7 @@ class MagnitudesTest {
     })
     void whatCannotBeComputedIsRefused(double x, double vx, double radius, double mass, String message) {
         for (Arithmetic arithmetic : Arithmetic.values()) {
-            Bodies bodies = new Bodies(1);
-            bodies.add(x, 0, radius, mass);
-            bodies.setVelocity(0, vx, 0);
+            Bodies bodies = Scenes.bodies(new double[][] {{x, 0, vx, 0, mass, radius}});
             Exception refusal = assertThrows(IllegalArgumentException.class,
                 () -> advance(arithmetic).turn(bodies, TurnSink.NONE));
             assertEquals(message, refusal.getMessage());
@@ -142,9 +136,7 @@ class MagnitudesTest {
     }
 
     private static String outcome(Advance advance, double value) {
-        Bodies bodies = new Bodies(2);
-        bodies.add(0, 0, 1, 1);
-        bodies.add(10, 0, 1, 1);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 0, 0, 1, 1}, {10, 0, 0, 0, 1, 1}});
         bodies.x[1] = value;
         bodies.vx[0] = 5;
         try {

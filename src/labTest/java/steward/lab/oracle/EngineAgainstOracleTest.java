@@ -20,6 +20,7 @@ import steward.physics.ImpactLaw;
 import steward.physics.Segment;
 import steward.physics.TurnLog;
 import steward.physics.Wall;
+import steward.physics.event.Scenes;
 
 /** Turns of small worlds on every event rung against the oracle: the same impacts in the same order. */
 @Execution(ExecutionMode.CONCURRENT)
@@ -53,8 +54,7 @@ class EngineAgainstOracleTest {
         if (oracle.limited()) {
             return;
         }
-        TurnLog log = new TurnLog();
-        rung.advanceOfAnyMass(law, walls).turn(bodies, log);
+        TurnLog log = Scenes.turn(rung.advanceOfAnyMass(law, walls), bodies);
         List<String> expected = new ArrayList<>();
         impacts.forEach(impact -> expected.add(impact.a() + " " + impact.b()));
         List<String> found = new ArrayList<>();
@@ -104,8 +104,7 @@ class EngineAgainstOracleTest {
             int impacts = new Oracle(ImpactLaw.OFFICIAL_POD_RACE, List.of()).turn(truth).size();
             for (int r = 0; r < compared.length; r++) {
                 Bodies bodies = crowd(new SplitMix64(seed), 75, 100);
-                TurnLog log = new TurnLog();
-                rungs().get(r).advanceOfAnyMass(ImpactLaw.OFFICIAL_POD_RACE).turn(bodies, log);
+                TurnLog log = Scenes.turn(rungs().get(r).advanceOfAnyMass(ImpactLaw.OFFICIAL_POD_RACE), bodies);
                 boolean same = impacts == log.impacts();
                 for (int k = 0; same && k < 6; k++) {
                     same = Math.abs(truth.get(k).x.doubleValue() - bodies.x[k]) < 1e-2
@@ -127,16 +126,11 @@ class EngineAgainstOracleTest {
     @ParameterizedTest
     @MethodSource("rungs")
     void whoReactsInABatchWithoutTouchingIsNotPushed(Rung rung) {
-        Bodies bodies = new Bodies(3);
-        bodies.add(0, 0, 400, 1);
-        bodies.add(1000, 0, 400, 10);
-        bodies.add(2000.0000103, 0, 400, 1);
-        bodies.setVelocity(0, 400, 0);
-        bodies.setVelocity(2, -400, 0);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 400, 0, 1, 400}, {1000, 0, 0, 0, 10, 400},
+            {2000.0000103, 0, -400, 0, 1, 400}});
         List<OracleBody> truth = OracleBody.of(bodies);
         assertEquals(2, new Oracle(ImpactLaw.OFFICIAL_POD_RACE, List.of()).turn(truth).size());
-        TurnLog log = new TurnLog();
-        rung.advanceOfAnyMass(ImpactLaw.OFFICIAL_POD_RACE).turn(bodies, log);
+        TurnLog log = Scenes.turn(rung.advanceOfAnyMass(ImpactLaw.OFFICIAL_POD_RACE), bodies);
         assertEquals(2, log.impacts());
         for (int k = 0; k < 3; k++) {
             assertEquals(truth.get(k).x.doubleValue(), bodies.x[k], 1e-7, "body " + k);

@@ -27,6 +27,7 @@ import steward.physics.Segment;
 import steward.physics.TurnLog;
 import steward.physics.Wall;
 import steward.physics.event.EventAdvance;
+import steward.physics.event.Scenes;
 
 /** The oracle itself, against closed forms by hand, conservation, reversal and the digits of pi. */
 @Execution(ExecutionMode.CONCURRENT)
@@ -45,9 +46,7 @@ class OracleTest {
     }
 
     private static Bodies one(double x, double y, double radius, double vx, double vy) {
-        Bodies bodies = new Bodies(1);
-        bodies.add(x, y, radius, 1);
-        bodies.setVelocity(0, vx, vy);
+        Bodies bodies = Scenes.bodies(new double[][] {{x, y, vx, vy, 1, radius}});
         return bodies;
     }
 
@@ -70,10 +69,7 @@ class OracleTest {
      */
     @Test
     void anOffCentreTouchByHand() {
-        Bodies bodies = new Bodies(2);
-        bodies.add(0, 0, 1, 1);
-        bodies.add(10, 1, 1, 1);
-        bodies.setVelocity(0, 16, 0);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 16, 0, 1, 1}, {10, 1, 0, 0, 1, 1}});
         List<OracleBody> state = OracleBody.of(bodies);
         OracleImpact impact = turn(ImpactLaw.PHYSICS, state).get(0);
         BigDecimal three = Decimals.root(new BigDecimal(3));
@@ -89,10 +85,7 @@ class OracleTest {
     /** Masses 1 and 3, head-on at 6: with e = 1/2 the approach of 6 comes back as 3 around the mean of 3/2. */
     @Test
     void restitutionByHand() {
-        Bodies bodies = new Bodies(2);
-        bodies.add(0, 0, 1, 1);
-        bodies.add(4, 0, 1, 3);
-        bodies.setVelocity(0, 6, 0);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 6, 0, 1, 1}, {4, 0, 0, 0, 3, 1}});
         bodies.setRestitution(1, 0.5);
         List<OracleBody> state = OracleBody.of(bodies);
         assertEquals(1, turn(SOFT, state).size());
@@ -103,11 +96,7 @@ class OracleTest {
     /** 900 apart, 400 u per turn toward each other: at t = 1/4 they touch, f = 200, J = 400, pushed 1e-5. */
     @Test
     void twoOfficialPodsByHand() {
-        Bodies bodies = new Bodies(2);
-        bodies.add(0, 0, 400, 1);
-        bodies.add(900, 0, 400, 1);
-        bodies.setVelocity(0, 200, 0);
-        bodies.setVelocity(1, -200, 0);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 200, 0, 1, 400}, {900, 0, -200, 0, 1, 400}});
         List<OracleBody> state = OracleBody.of(bodies);
         List<OracleImpact> impacts = turn(ImpactLaw.OFFICIAL_POD_RACE, state);
         assertEquals(1, impacts.size());
@@ -123,9 +112,8 @@ class OracleTest {
      */
     @Test
     void restingPodsThatOverlapReactUnderTheOfficialLawOnly() {
-        Bodies bodies = new Bodies(2);
-        bodies.add(0, 0, 400, 1);
-        bodies.add(790, 0, 400, Double.POSITIVE_INFINITY);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 0, 0, 1, 400},
+            {790, 0, 0, 0, Double.POSITIVE_INFINITY, 400}});
         List<OracleBody> state = OracleBody.of(bodies);
         assertEquals(1, turn(ImpactLaw.OFFICIAL_POD_RACE, state).size());
         assertNear("-120", state.get(0).vx);
@@ -136,12 +124,8 @@ class OracleTest {
     /** Pairs that touch within 1e-5 turns of the first react together, on the speeds as the first left them. */
     @Test
     void aBatchReactsTogether() {
-        Bodies bodies = new Bodies(3);
-        bodies.add(0, 0, 400, 1);
-        bodies.add(1000, 0, 400, 1);
-        bodies.add(2000.001, 0, 400, 1);
-        bodies.setVelocity(0, 400, 0);
-        bodies.setVelocity(2, -400, 0);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 400, 0, 1, 400}, {1000, 0, 0, 0, 1, 400},
+            {2000.001, 0, -400, 0, 1, 400}});
         List<OracleImpact> batch = turn(ImpactLaw.OFFICIAL_POD_RACE, OracleBody.of(bodies));
         assertEquals(1, batch.get(0).a());
         assertEquals(2, batch.get(1).a());
@@ -187,10 +171,7 @@ class OracleTest {
     @CsvSource({"0, 3", "1, 31", "2, 314", "3, 3141"})
     @Tag("slow")
     void piBlocks(int k, int impacts) {
-        Bodies bodies = new Bodies(2);
-        bodies.add(10, 0, 1, 1);
-        bodies.add(20, 0, 1, StrictMath.pow(100, k));
-        bodies.setVelocity(1, -1, 0);
+        Bodies bodies = Scenes.bodies(new double[][] {{10, 0, 0, 0, 1, 1}, {20, 0, -1, 0, StrictMath.pow(100, k), 1}});
         List<OracleBody> state = OracleBody.of(bodies);
         BigDecimal energy = state.get(0).energy().add(state.get(1).energy());
         Oracle oracle = new Oracle(ImpactLaw.PHYSICS, List.of(new HalfPlane(0, 0, 1, 0, 1)));
@@ -287,8 +268,7 @@ class OracleTest {
         for (int turn = 0; turn < 300; turn++) {
             gravity.accelerate(bodies, 0, 0, 0);
             TurnTruth truth = TurnTruth.of(bodies, parts);
-            TurnLog log = new TurnLog();
-            exact.turn(bodies, log);
+            TurnLog log = Scenes.turn(exact, bodies);
             assertEquals(truth.impacts(), log.impacts(), "turn " + turn);
             assertTrue(truth.positionError(bodies) < 1e-10, "turn " + turn + ": " + truth.positionError(bodies));
         }

@@ -15,16 +15,14 @@ import steward.match.TestSize;
 import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
+import steward.physics.event.Scenes;
 
 /** The fast truth about pairs against the oracle, and by hand. */
 @Execution(ExecutionMode.CONCURRENT)
 class PairOracleTest {
 
     private static Bodies pair(double x, double y, double vx, double vy, double radius) {
-        Bodies bodies = new Bodies(2);
-        bodies.add(x, y, radius, 1);
-        bodies.add(0, 0, radius, 1);
-        bodies.setVelocity(0, vx, vy);
+        Bodies bodies = Scenes.bodies(new double[][] {{x, y, vx, vy, 1, radius}, {0, 0, 0, 0, 1, radius}});
         return bodies;
     }
 

@@ -23,6 +23,7 @@ import steward.physics.TurnLog;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
 import steward.physics.event.EventAdvance;
+import steward.physics.event.Scenes;
 import steward.physics.event.StepAdvance;
 
 /** The true turn of the oracle, the error of a rung against it, and the pairs that the oracle may skip. */
@@ -35,24 +36,21 @@ class TurnTruthTest {
 
     /** Two of radius 10, 100 u apart, one of which flies at the other; it stops there, and the other flies on. */
     private static Bodies headOn(double speed) {
-        Bodies bodies = new Bodies(2);
-        bodies.add(0, 0, 10, 1);
-        bodies.add(100, 0, 10, 1);
-        bodies.setVelocity(0, speed, 0);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, speed, 0}, {100, 0, 0, 0}});
         return bodies;
     }
 
-    private static Bodies copy(Bodies from) {
-        Bodies to = new Bodies(from.capacity());
-        to.copyFrom(from);
-        return to;
+    /** A turn from impact to impact. */
+    private static Bodies flown(PhysicsParts parts, Bodies start) {
+        Bodies flown = start.copy();
+        new EventAdvance(parts).turn(flown, TurnSink.NONE);
+        return flown;
     }
 
     private static TurnError errorOfSteps(Bodies start, int steps, Wall... walls) {
         TurnTruth truth = TurnTruth.of(start, parts(Arithmetic.DOUBLE, walls));
-        Bodies after = copy(start);
-        TurnLog log = new TurnLog();
-        new StepAdvance(parts(Arithmetic.DOUBLE, walls), steps).turn(after, log);
+        Bodies after = start.copy();
+        TurnLog log = Scenes.turn(new StepAdvance(parts(Arithmetic.DOUBLE, walls), steps), after);
         return truth.error(after, log);
     }
 
@@ -77,11 +75,7 @@ class TurnTruthTest {
     /** Body 0 flies through the second, which is missed, into a third, which it would never have come to. */
     @Test
     void anImpactThatNeverWasIsInvented() {
-        Bodies bodies = new Bodies(3);
-        bodies.add(0, 0, 10, 1);
-        bodies.add(100, 0, 10, 1);
-        bodies.add(200, 0, 10, 1);
-        bodies.setVelocity(0, 190, 0);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 190, 0}, {100, 0, 0, 0}, {200, 0, 0, 0}});
         TurnError error = errorOfSteps(bodies, 1);
         assertEquals(2, error.missed(), "0 with 1 and 1 with 2");
         assertEquals(1, error.invented(), "0 with 2");
@@ -89,9 +83,7 @@ class TurnTruthTest {
 
     @Test
     void wallsAreMissedToo() {
-        Bodies bodies = new Bodies(1);
-        bodies.add(50, 50, 10, 1);
-        bodies.setVelocity(0, 30, 0);
+        Bodies bodies = Scenes.bodies(new double[] {50, 50, 30, 0});
         Wall wall = new HalfPlane(100, 0, -1, 0, 1);
         TurnTruth truth = TurnTruth.of(bodies, parts(Arithmetic.DOUBLE));
         TurnLog log = new TurnLog();
@@ -115,9 +107,8 @@ class TurnTruthTest {
             }
             PhysicsParts parts = parts(Arithmetic.EXACT, Wall.box(400, 400, 1));
             TurnTruth truth = TurnTruth.of(start, parts);
-            Bodies after = copy(start);
-            TurnLog log = new TurnLog();
-            new EventAdvance(parts).turn(after, log);
+            Bodies after = start.copy();
+            TurnLog log = Scenes.turn(new EventAdvance(parts), after);
             TurnError error = truth.error(after, log);
             assertEquals(log.impacts(), truth.impacts());
             assertTrue(error.position() < 1e-11 && error.energy() < 1e-14, "seed " + seed + ": " + error);
@@ -139,15 +130,11 @@ class TurnTruthTest {
     @Test
     void finalNumbersAreRoundedByHand() {
         Motion motion = new Motion(true, true, true);
-        Bodies start = new Bodies(2);
-        start.add(30, -3.5, 10, 1);
-        start.add(200, 0, 10, 1);
-        start.setVelocity(0, 7.5, 1);
-        start.setVelocity(1, 199, -1);
+        Bodies start = Scenes.bodies(new double[][] {{30, -3.5, 7.5, 1}, {200, 0, 199, -1}});
         start.setDrag(0, 0.25);
         start.setDrag(1, 0.25);
         TurnTruth truth = TurnTruth.of(start, parts(Arithmetic.DOUBLE));
-        Bodies ended = copy(start);
+        Bodies ended = start.copy();
         ended.setPosition(0, 38, -2);
         ended.setVelocity(0, 5, 0);
         ended.setPosition(1, 399, -1);
@@ -163,8 +150,7 @@ class TurnTruthTest {
             new Contacts(1).set(0, 0, Contacts.Meaning.NONE), List.of(), null, false);
         Bodies start = headOn(200);
         TurnTruth truth = TurnTruth.of(start, deaf);
-        Bodies flown = copy(start);
-        new EventAdvance(deaf).turn(flown, new TurnLog());
+        Bodies flown = flown(deaf, start);
 
         assertEquals(0, truth.impacts());
         assertEquals(0, truth.positionError(flown), 1e-9);
@@ -179,10 +165,8 @@ class TurnTruthTest {
         });
         Bodies start = headOn(200);
         TurnTruth truth = TurnTruth.of(start, eating);
-        Bodies one = copy(start);
-        new EventAdvance(eating).turn(one, new TurnLog());
-        Bodies both = copy(start);
-        new EventAdvance(parts(Arithmetic.DOUBLE)).turn(both, new TurnLog());
+        Bodies one = flown(eating, start);
+        Bodies both = flown(parts(Arithmetic.DOUBLE), start);
 
         assertEquals(1, one.size());
         assertEquals(0, truth.positionError(one), 1e-9);
@@ -208,8 +192,7 @@ class TurnTruthTest {
         Bodies start = headOn(200);
         TurnTruth truth = TurnTruth.of(start, passing);
         assertEquals(1, asked[0]);
-        Bodies flown = copy(start);
-        new EventAdvance(passing).turn(flown, new TurnLog());
+        Bodies flown = flown(passing, start);
 
         assertEquals(0, truth.impacts());
         assertEquals(200, flown.x[0], 1e-9);
@@ -228,8 +211,7 @@ class TurnTruthTest {
         Bodies start = headOn(200);
         TurnTruth truth = TurnTruth.of(start, reaching);
         assertEquals(0.25, when[0], 1e-12);
-        Bodies one = copy(start);
-        new EventAdvance(reaching).turn(one, new TurnLog());
+        Bodies one = flown(reaching, start);
         assertEquals(0, truth.positionError(one), 1e-9);
     }
 
@@ -238,14 +220,9 @@ class TurnTruthTest {
     void bodiesThatPassEachOtherDoSoUntilTheyAreApart() {
         PhysicsParts passing = asking((time, a, b, bodies, sink) ->
             bodies.id(a) + bodies.id(b) == 1 ? Reaction.Verdict.PASS : Reaction.Verdict.BOUNCE);
-        Bodies start = new Bodies(3);
-        start.add(0, 0, 5, 1);
-        start.add(20, 0, 5, 1);
-        start.add(60, 0, 5, 1);
-        start.setVelocity(0, 100, 0);
+        Bodies start = Scenes.bodies(new double[][] {{0, 0, 100, 0, 1, 5}, {20, 0, 0, 0, 1, 5}, {60, 0, 0, 0, 1, 5}});
         TurnTruth truth = TurnTruth.of(start, passing);
-        Bodies flown = copy(start);
-        new EventAdvance(passing).turn(flown, new TurnLog());
+        Bodies flown = flown(passing, start);
 
         assertEquals(1, truth.impacts());
         assertEquals(50, flown.x[0], 1e-9);
@@ -269,11 +246,8 @@ class TurnTruthTest {
                     return false;
                 }
             }, false);
-        Bodies falling = new Bodies(1);
-        falling.add(0, 10, 5, 1);
-        falling.setVelocity(0, 0, -20);
-        Bodies ended = copy(falling);
-        new EventAdvance(stopping).turn(ended, new TurnLog());
+        Bodies falling = Scenes.bodies(new double[][] {{0, 10, 0, -20, 1, 5}});
+        Bodies ended = flown(stopping, falling);
 
         assertEquals(5, ended.y[0], 1e-9);
         assertEquals(0, TurnTruth.of(falling, stopping).positionError(ended), 1e-9);
@@ -298,19 +272,14 @@ class TurnTruthTest {
     /** A disc along the rim of an arena, where another comes to it: the oracle does not slide, exact is the truth. */
     @Test
     void whereABodySlidesExactIsTheTruth() {
-        Bodies start = new Bodies(2);
-        start.add(0, 90, 10, 1);
-        start.add(35, 70, 10, 1);
-        for (int k = 0; k < 2; k++) {
-            start.setRestitution(k, 0.5);
-        }
+        Bodies start = Scenes.bodies(new double[][] {{0, 90, 0, 0}, {35, 70, 0, 0}});
+        Scenes.setRestitution(start, 0.5);
         start.setVelocity(0, 50, 0);
         PhysicsParts soft = new PhysicsParts(ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM),
             Arithmetic.EXACT, new Contacts(1), List.of(new Arena(0, 0, 100, 1)), null, false);
         TurnTruth truth = TurnTruth.of(start, soft);
-        Bodies after = copy(start);
-        TurnLog log = new TurnLog();
-        new EventAdvance(soft).turn(after, log);
+        Bodies after = start.copy();
+        TurnLog log = Scenes.turn(new EventAdvance(soft), after);
         assertEquals(new TurnError(0, 0, 0, 0), truth.error(after, log));
         assertFalse(truth.limited());
         assertTrue(truth.impacts() > 0, "found " + truth.impacts());

@@ -30,6 +30,7 @@ import steward.physics.Bodies;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.event.EventAdvance;
+import steward.physics.event.Scenes;
 import steward.physics.event.StepAdvance;
 import steward.scene.Accuracy;
 import tools.jackson.databind.JsonNode;
@@ -49,10 +50,9 @@ class TradeoffTest {
         SplitMix64 random = new SplitMix64(3);
         AtomicInteger count = new AtomicInteger();
         return new TradeoffScene("tunnel", "a bullet and a target", "tunnel", PLAIN, null, () -> {
-            Bodies bodies = new Bodies(2);
-            bodies.add(0, count.getAndIncrement() % 2 == 0 ? 5 * random.nextDouble() : 200, 1, 1);
-            bodies.add(100 + 50 * random.nextDouble(), 0, 20, 5);
-            bodies.setVelocity(0, 1000, 0);
+            double y = count.getAndIncrement() % 2 == 0 ? 5 * random.nextDouble() : 200;
+            Bodies bodies = Scenes.bodies(new double[][] {{0, y, 1000, 0, 1, 1},
+                {100 + 50 * random.nextDouble(), 0, 0, 0, 5, 20}});
             return bodies;
         }, 10, 2, 3, 64);
     }
@@ -125,10 +125,7 @@ class TradeoffTest {
     /** One step a turn flies through the other body in the first turn: 990 u off. Exact times stay together. */
     @Test
     void aFreeRunEndsWhereABodyIsOff() {
-        Bodies start = new Bodies(2);
-        start.add(0, 0, 10, 1);
-        start.add(100, 0, 10, 1);
-        start.setVelocity(0, 200, 0);
+        Bodies start = Scenes.bodies(new double[][] {{0, 0, 200, 0}, {100, 0, 0, 0}});
         List<Advance> rungs = List.of(new StepAdvance(PLAIN, 1), new EventAdvance(PLAIN));
         assertArrayEquals(new int[] {1, 8}, TradeoffFreeRun.turns(start, PLAIN, rungs, 7));
         start.setVelocity(0, 30, 0);                // contact in the third turn
