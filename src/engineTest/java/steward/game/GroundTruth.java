@@ -3,13 +3,16 @@ package steward.game;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.URISyntaxException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.TestReporter;
 
 /**
@@ -76,6 +79,14 @@ public enum GroundTruth {
         Path file = Path.of(System.getProperty("steward.replays", "../shared/replays")).resolve(name);
         assumeTrue(Files.isRegularFile(file), "skipped: no folder of replays, -Psteward.replays=FOLDER");
         return file;
+    }
+
+    /** The text of a file, which may be compressed. */
+    public static String text(Path file) throws IOException {
+        try (InputStream in = Files.newInputStream(file);
+             InputStream text = file.toString().endsWith(".gz") ? new GZIPInputStream(in) : in) {
+            return new String(text.readAllBytes(), StandardCharsets.UTF_8);
+        }
     }
 
     /** Reports what was compared; on the console too if the call of the build named a folder. */

@@ -4,9 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -14,14 +11,14 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.game.ChangedWords;
+import steward.game.CodecText;
 import steward.game.Comparison;
 import steward.game.GroundTruth;
 import steward.game.TextCodec;
@@ -33,18 +30,15 @@ import steward.game.TextCodec;
 @Execution(ExecutionMode.CONCURRENT)
 class FantasticBitsRecordingsTest {
 
-    private static final Pattern ENTITY = Pattern.compile("(\\d+) ([A-Z_]+) (-?\\d+) (-?\\d+) (-?\\d+) (-?\\d+) (\\d)");
-    private static final Pattern STANDING = Pattern.compile(".* Score: (-?\\d+) \\| Magic: (\\d+)");
-    private static final Pattern CAUGHT = Pattern.compile("\\w+ (\\d) caught snaffle (\\d+)");
-    private static final Pattern TOLD = Pattern.compile("\\w+: Wizard (\\d) (.*)");
     private static final String TURN = "Sortie d'erreur :";
+    private static final String ANSWER = "Sortie standard :";
     private static final Pattern WORD = Pattern.compile("[^\\s():,]+");
 
     @Test
     void everyTurnThatTheConsoleShowsIsReproduced(TestReporter report) throws IOException {
         GroundTruth.Report all = new GroundTruth.Report(report, "fantastic-bits");
         for (Path file : GroundTruth.RECORDINGS.files("fantastic-bits", ".txt.gz")) {
-            Console console = new Console(file.getFileName().toString(), lines(file));
+            Console console = new Console(file.getFileName().toString(), GroundTruth.text(file).lines().toList());
             console.compare();
             all.add(file.getFileName().toString(), console.game.turn(), console.comparison.values(),
                 console.comparison.differences().stream().findFirst().orElse(null), List.of("names, line numbers"));
@@ -57,34 +51,30 @@ class FantasticBitsRecordingsTest {
     @Test
     @Tag("slow")
     void everyWordOfATurnIsCompared(TestReporter report) throws IOException {
-        List<String> lines = lines(GroundTruth.RECORDINGS.files("fantastic-bits", "sample3-turns1-60.txt.gz").get(0));
+        List<String> lines = GroundTruth.text(GroundTruth.RECORDINGS.files("fantastic-bits",
+            "sample3-turns1-60.txt.gz").get(0)).lines().toList();
         Set<String> missed = new TreeSet<>();
         int changed = 0;
         for (String deed : List.of("throws", "casts")) {
             int at = lines.indexOf(lines.stream().filter(line -> line.contains(deed)).findFirst().orElseThrow());
             int from = lines.subList(0, at).lastIndexOf(TURN);
             int to = at + lines.subList(at, lines.size()).indexOf(TURN);
-            int echo = from + lines.subList(from, to).indexOf("Sortie standard :");
+            int echo = from + lines.subList(from, to).indexOf(ANSWER);
             for (int line = from; line < to; line++) {
                 String text = lines.get(line);
-                boolean shown = line < echo ? ENTITY.matcher(text).matches() : text.matches("[A-Z].* -?\\d.*");
-                Matcher word = WORD.matcher(shown ? text : "");
-                while (word.find()) {
-                    List<String> other = new ArrayList<>(lines.subList(0, to));
-                    int last = word.end() - 1;
-                    String end = Character.isDigit(text.charAt(last)) ? "" + (text.charAt(last) - '0' + 5) % 10
-                        : text.charAt(last) + "x";
-                    other.set(line, text.substring(0, last) + end + text.substring(word.end()));
+                boolean shown = text.matches(line < echo ? "\\d+ [A-Z_]+ .*" : "[A-Z].* -?\\d.*");
+                List<String> other = new ArrayList<>(lines.subList(0, to));
+                for (ChangedWords change : ChangedWords.of(shown ? text : "", WORD, ChangedWords::otherEnd)) {
+                    other.set(line, change.text());
                     changed++;
                     if (!isFound(other)) {
-                        missed.add(word.group());
+                        missed.add(change.was());
                     }
                 }
             }
         }
-        GroundTruth.tell(report, "fantastic-bits, console: " + changed + " numbers and words changed one at a time, "
-            + "not found: " + missed);
-        assertEquals(Set.of("DumbleBoss", "Storm", "Wizard"), missed);
+        GroundTruth.tell(report, ChangedWords.told("fantastic-bits, console", changed, missed));
+        assertEquals(Set.of("DumbleBoss", "Storm"), missed);
     }
 
     private static boolean isFound(List<String> lines) {
@@ -97,13 +87,7 @@ class FantasticBitsRecordingsTest {
         }
     }
 
-    private static List<String> lines(Path file) throws IOException {
-        try (InputStream in = new GZIPInputStream(Files.newInputStream(file))) {
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8).lines().toList();
-        }
-    }
-
-    /** One game, played again while its console is read. */
+    /** One game, played again with the answers of its console, beside which stands what ours would show. */
     private static final class Console {
 
         private final List<String> lines;
@@ -116,7 +100,7 @@ class FantasticBitsRecordingsTest {
         Console(String name, List<String> lines) {
             this.lines = lines;
             comparison = new Comparison(name);
-            List<String> first = lines.subList(1, lines.indexOf("Sortie standard :")).stream()
+            List<String> first = lines.subList(1, lines.indexOf(ANSWER)).stream()
                 .filter(line -> line.contains(" SNAFFLE ")).toList();
             Pitch pitch = new Pitch(first.size(), 2);
             for (String line : first) {
@@ -132,98 +116,81 @@ class FantasticBitsRecordingsTest {
         void compare() {
             while (at < lines.size()) {
                 switch (lines.get(at++)) {
-                    case TURN -> compareInput();
-                    case "Sortie standard :" -> answer();
-                    case "R\u00e9sum\u00e9 du jeu :" -> compareStanding();
-                    default -> compareTold(lines.get(at - 1));
+                    case TURN -> expect(input());
+                    case ANSWER -> answer();
+                    case "Informations :" -> expect(deeds(answers - 1));
+                    case "R\u00e9sum\u00e9 du jeu :" -> expect(standing());
+                    default -> { }                            // the bot's own words, and numbers of lines
                 }
             }
         }
 
-        /** The server's words about an answer name the wizard and what it does. */
-        private void compareTold(String line) {
-            Matcher told = TOLD.matcher(line);
-            int wizard = told.matches() ? Integer.parseInt(told.group(1)) : 0;
-            WizardCommand command = game.command(wizard / 2, wizard % 2);
-            if (told.matches() && command != null) {
-                String place = " coordinate (" + (long) command.x() + ", " + (long) command.y() + ") with ";
-                String ours = switch (command.action()) {
-                    case MOVE -> "moves towards" + place + "thrust " + (long) command.power();
-                    case THROW -> "throws the snaffle to" + place + "power " + (long) command.power();
-                    case CAST -> "casts " + command.spell().name().charAt(0) + command.spell().name().substring(1)
-                        .toLowerCase(Locale.ROOT) + " on entity " + command.target();
-                };
-                compareWords("turn " + (game.turn() + 1) + " wizard " + wizard + " ", told.group(2), ours);
+        /** Compares as many lines, word by word; names of players stand before what is ours. */
+        private void expect(List<String> ours) {
+            String when = "turn " + (game.turn() + 1) + ", line ";
+            for (String line : ours) {
+                if (lines.get(at).equals("End reached")) {
+                    comparison.same(when + "the end", true, game.isOver());
+                    at++;
+                }
+                String[] shown = lines.get(at++).replaceFirst("^[A-Z]\\w+:? ", "").split(" ");
+                String[] found = line.split(" ");
+                comparison.same(when + at + ", words", shown.length, found.length);
+                for (int k = 0; k < Math.min(shown.length, found.length); k++) {
+                    comparison.same(when + at + ", word " + k, shown[k], found[k]);
+                }
             }
+            comparison.same(when + "behind it", false, at < lines.size() && lines.get(at).matches("\\d+ [A-Z_]+ .*"));
         }
 
-        private void compareInput() {
-            StringBuilder text = new StringBuilder();
-            if (game.turn() == 0) {
-                codec.writeSetup(text, 0);
-            }
-            codec.writeTurn(text, 0);
-            List<String> found = text.toString().lines().toList();
-            String when = "turn " + (game.turn() + 1) + " input, line ";
-            for (int k = 0; k < found.size(); k++) {
-                compareWords(when + (k + 1) + " ", lines.get(at + k), found.get(k));
-            }
-            at += found.size();
-            comparison.same(when + "after the last", false, ENTITY.matcher(lines.get(at)).matches());
-        }
-
-        private void compareWords(String what, String recorded, String found) {
-            String[] shown = recorded.split(" ");
-            String[] ours = found.split(" ");
-            comparison.same(what + "words", shown.length, ours.length);
-            for (int k = 0; k < Math.min(shown.length, ours.length); k++) {
-                comparison.same(what + k, shown[k], ours[k]);
-            }
+        private List<String> input() {
+            return ((game.turn() == 0 ? CodecText.setup(codec, 0) : "") + CodecText.turn(codec, 0)).lines().toList();
         }
 
         private void answer() {
-            byte[] answer = (lines.get(at) + "\n" + lines.get(at + 1)).getBytes(StandardCharsets.UTF_8);
+            String wrong = CodecText.read(codec, answers, lines.get(at) + "\n" + lines.get(at + 1));
             comparison.same("turn " + (game.turn() + 1) + " answer of " + answers, "good",
-                String.valueOf(codec.readAnswer(answers, answer, answer.length)).replace("null", "good"));
+                wrong == null ? "good" : wrong);
             answers++;
             at += 2;
         }
 
-        private void compareStanding() {
+        /** The server's words about an answer. */
+        private List<String> deeds(int player) {
+            List<String> deeds = new ArrayList<>();
+            for (int k = 0; k < Pitch.WIZARDS_PER_PLAYER; k++) {
+                WizardCommand command = game.command(player, k);
+                if (command == null) {
+                    return deeds;                             // the answer was refused
+                }
+                String place = " coordinate (" + (long) command.x() + ", " + (long) command.y() + ") with ";
+                deeds.add("Wizard " + (player * Pitch.WIZARDS_PER_PLAYER + k) + " " + switch (command.action()) {
+                    case MOVE -> "moves towards" + place + "thrust " + (long) command.power();
+                    case THROW -> "throws the snaffle to" + place + "power " + (long) command.power();
+                    case CAST -> "casts " + command.spell().name().charAt(0) + command.spell().name().substring(1)
+                        .toLowerCase(Locale.ROOT) + " on entity " + command.target();
+                });
+            }
+            return deeds;
+        }
+
+        /** Plays the turn. @return of each player the score, the magic, and what its wizards have caught */
+        private List<String> standing() {
             comparison.same("turn " + (game.turn() + 1) + " answers", 2, answers);
             answers = 0;
             game.play();
-            List<String> shown = new ArrayList<>();
-            int player = 0;
-            for (; at < lines.size() && !lines.get(at).startsWith("Sortie"); at++) {
-                if (lines.get(at).equals("End reached")) {
-                    comparison.same("turn " + game.turn() + " is the last", true, game.isOver());
-                    continue;
+            List<String> standing = new ArrayList<>();
+            for (int player = 0; player < game.players(); player++) {
+                standing.add("Score: " + game.score(player) + " | Magic: " + game.magic(player));
+                int first = standing.size();
+                for (int k = 0; k < game.log().facts(); k++) {
+                    if (game.log().factKind(k) == Captures.CAPTURE && Pitch.playerOf(game.log().factA(k)) == player) {
+                        standing.add(game.log().factA(k) + " caught snaffle " + game.log().factB(k));
+                    }
                 }
-                Matcher caught = CAUGHT.matcher(lines.get(at));
-                if (caught.matches()) {
-                    shown.add(caught.group(1) + " caught " + caught.group(2));
-                    continue;
-                }
-                Matcher standing = STANDING.matcher(lines.get(at));
-                comparison.same("turn " + game.turn() + " standing is shown", true, standing.matches());
-                if (!standing.matches() || player >= game.players()) {
-                    continue;                                 // what else a console says
-                }
-                comparison.same("turn " + game.turn() + " score", Integer.parseInt(standing.group(1)),
-                    game.score(player));
-                comparison.same("turn " + game.turn() + " magic", Integer.parseInt(standing.group(2)),
-                    game.magic(player++));
+                Collections.sort(standing.subList(first, standing.size()));
             }
-            List<String> found = new ArrayList<>();
-            for (int k = 0; k < game.log().facts(); k++) {
-                if (game.log().factKind(k) == Captures.CAPTURE) {
-                    found.add(game.log().factA(k) + " caught " + game.log().factB(k));
-                }
-            }
-            Collections.sort(found);
-            Collections.sort(shown);
-            comparison.same("turn " + game.turn() + " captures", shown, found);
+            return standing;
         }
     }
 }

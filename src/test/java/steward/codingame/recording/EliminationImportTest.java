@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayOutputStream;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -43,15 +42,13 @@ class EliminationImportTest {
         return OfficialGame.play(setup, 3, new Idle(), new Idle());
     }
 
-    private static Verification verified(OfficialGame game, RulesEdition rules) throws InterruptedException {
-        ByteArrayOutputStream replay = new ByteArrayOutputStream();
-        RecordingImport.of(game.json(), "game.json", TestScenes.TYPES, rules).write(replay);
-        return TextMatches.verify(replay.toByteArray());
+    private static Verification verified(OfficialGame game, RulesEdition rules) {
+        return ImportedRecording.of(game.json(), rules).verified();
     }
 
     @ParameterizedTest
     @CsvSource({"LIVE, 101", "CONTEST, 100"})
-    void aGameOfEitherEditionVerifiesByItsOwnRules(RulesEdition rules, int turns) throws InterruptedException {
+    void aGameOfEitherEditionVerifiesByItsOwnRules(RulesEdition rules, int turns) {
         OfficialGame game = game(rules);
         assertEquals(turns, game.turns());
         Verification found = verified(game, rules);
@@ -61,7 +58,7 @@ class EliminationImportTest {
     }
 
     @Test
-    void byOtherRulesItDoesNot() throws InterruptedException {
+    void byOtherRulesItDoesNot() {
         for (RulesEdition rules : RulesEdition.values()) {
             RulesEdition other = rules == RulesEdition.LIVE ? RulesEdition.CONTEST : RulesEdition.LIVE;
             assertNotNull(verified(game(rules), other).difference(), rules.word());
@@ -69,7 +66,7 @@ class EliminationImportTest {
     }
 
     @Test
-    void rulesAreThoseOfTheLiveServerUnlessNamed() throws InterruptedException {
+    void rulesAreThoseOfTheLiveServerUnlessNamed() {
         assertTrue(verified(game(RulesEdition.LIVE), null).verified());
     }
 

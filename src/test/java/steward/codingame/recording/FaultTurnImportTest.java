@@ -5,9 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayOutputStream;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import steward.bot.Bot;
@@ -52,34 +49,18 @@ class FaultTurnImportTest {
         }
     }
 
-    private static ReplayDifference difference(ObjectNode result) {
-        ByteArrayOutputStream replay = new ByteArrayOutputStream();
-        try {
-            RecordingImport.of(result.toString(), "game.json", TestScenes.TYPES).write(replay);
-        } catch (InterruptedException nobodyDoes) {
-            throw new AssertionError(nobodyDoes);
-        }
-        return TextMatches.verify(replay.toByteArray()).difference();
-    }
-
     private ReplayDifference changed(int line, int word, String to) {
-        ObjectNode result = game.gameResult();
-        ObjectNode frame = (ObjectNode) result.get("frames").get(OfficialGame.keyFrame(game.turns()));
-        List<String> lines = new ArrayList<>(frame.get("view").stringValue().lines().toList());
-        if (to == null) {
-            lines.subList(line, lines.size()).clear();
-        } else {
-            String[] words = lines.get(line).split(" ");
-            words[word] = to.replace("#", words[word]);
-            lines.set(line, String.join(" ", words));
-        }
-        frame.put("view", String.join("\n", lines) + "\n");
-        return difference(result);
+        return ImportedRecording.verified(ImportedRecording.changeView(game.gameResult(),
+            OfficialGame.keyFrame(game.turns()), lines -> {
+                String[] words = lines.get(line).split(" ");
+                words[word] = to.replace("#", words[word]);
+                lines.set(line, String.join(" ", words));
+            })).difference();
     }
 
     @Test
     void asItIsItVerifies() {
-        assertNull(difference(game.gameResult()));
+        assertNull(ImportedRecording.verified(game.json()).difference());
     }
 
     /** Word behind the number, and messages of the player who fails: public battles of 2026 show none. */
@@ -91,8 +72,10 @@ class FaultTurnImportTest {
 
     @Test
     void impulsePlaceAndMissingImpactsAreFound() {
+        ObjectNode without = ImportedRecording.changeView(game.gameResult(), OfficialGame.keyFrame(game.turns()),
+            lines -> lines.subList(FIRST_IMPACT, lines.size()).clear());
         for (ReplayDifference found : new ReplayDifference[] {changed(FIRST_IMPACT, IMPULSE, "1234.5"),
-            changed(1, 0, "77"), changed(3, 1, "78"), changed(FIRST_IMPACT, 0, null)}) {
+            changed(1, 0, "77"), changed(3, 1, "78"), ImportedRecording.verified(without).difference()}) {
             assertNotNull(found);
             assertEquals(game.turns(), found.turn(), found.toString());
         }

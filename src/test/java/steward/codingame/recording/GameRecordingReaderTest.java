@@ -7,7 +7,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import steward.match.TestScenes;
 import steward.scene.json.SceneException;
 
 /** Recordings that cannot be used: the error says in which frame and line, what was found and what was expected. */
@@ -29,12 +28,6 @@ class GameRecordingReaderTest {
                 .append(2).append(" 0\\n\\\"message \\\"\\n");
         }
         return lines.toString();
-    }
-
-    private static String problemOf(String json) {
-        return assertThrows(IllegalArgumentException.class,
-            () -> RecordingImport.of(json, "game.json", TestScenes.TYPES))
-            .getMessage();
     }
 
     @ParameterizedTest
@@ -63,11 +56,7 @@ class GameRecordingReaderTest {
         "\"keyframe\":false | \"keyframe\":false,\"agentId\":1 | frame 1, keyframe: found false, expected true",
         "\"ranks\":[0,1]}     | \"ranks\":[0,1]       | 1:"})
     void whatIsWrongIsToldWithItsFrameAndLine(String from, String to, String expected) {
-        String json = GAME.replace(from, to);
-        assertTrue(GAME.contains(from), "there is no " + from);
-        String problem = problemOf(json);
-        assertTrue(problem.startsWith("game.json: " + expected) || problem.startsWith("game.json:" + expected),
-            problem);
+        assertProblem(expected, ImportedRecording.problem(GAME, from, to));
     }
 
     @ParameterizedTest
@@ -75,7 +64,7 @@ class GameRecordingReaderTest {
         "{\"success\":{\"gameResult\":{\"frames\":5}}}", "{\"frames\":[5]}", "{\"frames\":[{\"view\":\"a\\nb\\nc\"}]}",
         "{\"frames\":[null]}", "not JSON"})
     void whatIsNoRecordingAtAll(String json) {
-        assertTrue(problemOf(json).startsWith("game.json:"), problemOf(json));
+        assertTrue(ImportedRecording.problem(json).startsWith("game.json:"), ImportedRecording.problem(json));
     }
 
     @ParameterizedTest
@@ -95,7 +84,10 @@ class GameRecordingReaderTest {
         "[1,2] | found no frames: the file is an array, expected CodinGame's",
         "{\"id\":403,\"message\":\"no\"} | found no frames: the object has id, message, expected CodinGame's"})
     void anotherFileIsToldByWhatItIs(String text, String expected) {
-        String problem = problemOf(text.replace("\\n", "\n"));
+        assertProblem(expected, ImportedRecording.problem(text.replace("\\n", "\n")));
+    }
+
+    private static void assertProblem(String expected, String problem) {
         assertTrue(problem.startsWith("game.json: " + expected) || problem.startsWith("game.json:" + expected),
             problem);
     }
@@ -104,7 +96,7 @@ class GameRecordingReaderTest {
     void aMapThatCannotBeRacedOnIsRefused() {
         String json = GAME.replace("1000 1000 9000 1000", "9000 1000 9000 1000");
         String problem = assertThrows(SceneException.class,
-            () -> RecordingImport.of(json, "game.json", TestScenes.TYPES)).getMessage();
+            () -> ImportedRecording.of(json)).getMessage();
         assertTrue(problem.startsWith("game.json (scene):") && problem.contains("the first two in the same place"),
             problem);
     }

@@ -3,7 +3,6 @@ package steward.codingame.recording;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
-import java.io.ByteArrayOutputStream;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import steward.match.TestScenes;
@@ -41,23 +40,13 @@ class InformationImportTest {
         "moves towards (8000, 4500) at power 200", "enabled its shield", "waits for its engine to reload",
         "waits for its engine to reload", "waits for its engine to reload", "moves towards (8000, 4500) at power 70");
 
-    private static ReplayDifference difference(String json) {
-        ByteArrayOutputStream replay = new ByteArrayOutputStream();
-        try {
-            RecordingImport.of(json, "game.json", TestScenes.TYPES).write(replay);
-        } catch (InterruptedException nobodyDoes) {
-            throw new AssertionError(nobodyDoes);
-        }
-        return TextMatches.verify(replay.toByteArray()).difference();
-    }
-
     private static ObjectNode told() {
         ObjectNode game = OfficialGame.play(TestScenes.open("mad-pod-racing"), 3, new Scripted(), new Scripted())
             .gameResult();
         for (int turn = 1; turn <= TOLD.size(); turn++) {
             for (int player = 0; player < 2; player++) {
                 String pod = " of player $" + player + " " + TOLD.get(turn - 1) + "\n";
-                ((ObjectNode) game.get("frames").get(2 * turn - 1 + player)).put("gameInformation",
+                ImportedRecording.frame(game, 2 * turn - 1 + player).put("gameInformation",
                     "Pod 1" + pod + "Pod 2" + pod);
             }
         }
@@ -66,13 +55,13 @@ class InformationImportTest {
 
     @Test
     void theFourFormsOfWhatAPodDoesAreCompared() {
-        assertNull(difference(told().toString()));
+        assertNull(ImportedRecording.verified(told()).difference());
         for (int turn = 1; turn <= TOLD.size(); turn++) {
             ObjectNode game = told();
-            ObjectNode frame = (ObjectNode) game.get("frames").get(2 * turn);
+            ObjectNode frame = ImportedRecording.frame(game, 2 * turn);
             frame.put("gameInformation", frame.get("gameInformation").stringValue().replace("Pod 2 of player $1 ",
                 "Pod 2 of player $1 never "));
-            ReplayDifference found = difference(game.toString());
+            ReplayDifference found = ImportedRecording.verified(game).difference();
             assertEquals(turn + " gameInformation line 1, word 5", found.turn() + " " + found.field());
         }
     }
@@ -84,7 +73,7 @@ class InformationImportTest {
             ObjectNode sketch = (ObjectNode) JsonMapper.shared().readTree(game.sketch(FAILS));
             sketch.putArray("tooltips").add("{\"turn\":" + frame
                 + ",\"text\":\"$1: timeout!\",\"event\":1}");
-            ReplayDifference found = difference(sketch.toString());
+            ReplayDifference found = ImportedRecording.verified(sketch).difference();
             assertEquals(frame == 2 * FAILS ? "null" : FAILS + " tooltips line 0", found == null ? "null"
                 : found.turn() + " " + found.field());
         }

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
-import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -47,22 +46,26 @@ class LineRecordingImportTest {
         return recording.toString();
     }
 
-    private RecordingImport.Imported imported(ByteArrayOutputStream replay) throws InterruptedException {
-        return RecordingImport.of(json(), "g.json", TestScenes.TYPES).write(replay);
+    private void assertImported(int turns, String ending) {
+        assertEquals(new RecordingImport.Imported(turns, ending), ImportedRecording.of(json()).imported());
+    }
+
+    private void assertDifferent(String message) {
+        assertEquals("game.json: " + message,
+            assertThrows(DifferentGameException.class, () -> ImportedRecording.of(json())).getMessage());
     }
 
     @Test
-    void aWholeGameBecomesAReplayThatVerifies() throws InterruptedException {
+    void aWholeGameBecomesAReplayThatVerifies() {
         play(1000);
-        ByteArrayOutputStream replay = new ByteArrayOutputStream();
-        assertEquals(new RecordingImport.Imported(600, "lost: not finished in 600 turns"), imported(replay));
-        assertEquals(Recorded.whole(600), Recorded.verify(replay.toByteArray()));
+        assertImported(600, "lost: not finished in 600 turns");
+        assertEquals(Recorded.whole(600), ImportedRecording.verified(json()));
     }
 
     @Test
-    void aRecordingThatEndsEarlyIsImportedAsFarAsItGoes() throws InterruptedException {
+    void aRecordingThatEndsEarlyIsImportedAsFarAsItGoes() {
         play(20);
-        assertEquals(new RecordingImport.Imported(20, null), imported(new ByteArrayOutputStream()));
+        assertImported(20, null);
     }
 
     /** The map has eight checkpoints: a line with the number, 24 places, then a line a turn. */
@@ -70,34 +73,30 @@ class LineRecordingImportTest {
     void theFirstLineThatDiffersIsNamed() {
         play(20);
         String ours = sent.set(25 + 7, "0 1 2 3 4 5");
-        assertEquals("g.json: stdin[32], turn 8: found \"0 1 2 3 4 5\", by these rules \"" + ours + "\"",
-            assertThrows(DifferentGameException.class, () -> imported(new ByteArrayOutputStream())).getMessage());
+        assertDifferent("stdin[32], turn 8: found \"0 1 2 3 4 5\", by these rules \"" + ours + "\"");
     }
 
     /** The car did not answer in the last turn: what it was sent there is compared, and there can be no more. */
     @Test
-    void linesBehindTheLastAnswerAreCompared() throws InterruptedException {
+    void linesBehindTheLastAnswerAreCompared() {
         play(20);
         answers.remove(19);
-        assertEquals(new RecordingImport.Imported(19, null), imported(new ByteArrayOutputStream()));
+        assertImported(19, null);
         String ours = sent.set(25 + 19, "0 1 2 3 4 5");
-        assertEquals("g.json: stdin[44], turn 20: found \"0 1 2 3 4 5\", by these rules \"" + ours + "\"",
-            assertThrows(DifferentGameException.class, () -> imported(new ByteArrayOutputStream())).getMessage());
+        assertDifferent("stdin[44], turn 20: found \"0 1 2 3 4 5\", by these rules \"" + ours + "\"");
         sent.set(25 + 19, ours);
         answers.remove(18);
-        assertEquals("g.json: stdin[44]: found \"" + ours + "\", expected the end: turn 19 has no answer",
-            assertThrows(DifferentGameException.class, () -> imported(new ByteArrayOutputStream())).getMessage());
+        assertDifferent("stdin[44]: found \"" + ours + "\", expected the end: turn 19 has no answer");
     }
 
     @Test
     void linesOfNoKnownGameAreRefused() {
         sent.addAll(List.of("3", "1 2", "3 4"));
         answers.add("1 2 3");
-        assertEquals("g.json: stdin: found lines of no game for one player that is known, expected those that such a "
-            + "game is sent at its beginning",
-            assertThrows(IllegalArgumentException.class, () -> imported(new ByteArrayOutputStream())).getMessage());
+        assertEquals("game.json: stdin: found lines of no game for one player that is known, expected those that such "
+            + "a game is sent at its beginning", ImportedRecording.problem(json()));
         answers.clear();
-        assertEquals("g.json: stdout: found no lines, expected an array of them",
-            assertThrows(IllegalArgumentException.class, () -> imported(new ByteArrayOutputStream())).getMessage());
+        assertEquals("game.json: stdout: found no lines, expected an array of them",
+            ImportedRecording.problem(json()));
     }
 }

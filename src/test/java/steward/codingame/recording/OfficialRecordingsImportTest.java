@@ -5,9 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -18,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.game.CodecText;
 import steward.game.GroundTruth;
 import steward.game.TextCodec;
 import steward.game.podrace.PodRace;
@@ -45,7 +44,7 @@ class OfficialRecordingsImportTest {
 
     @Test
     @Tag("slow")
-    void everyOfficialGameVerifies(TestReporter report) throws IOException, InterruptedException {
+    void everyOfficialGameVerifies(TestReporter report) throws IOException {
         Path folder = Path.of(System.getProperty("steward.replays", "../shared/replays"));
         assumeTrue(Files.isDirectory(folder), "skipped: no folder of replays, -Psteward.replays=FOLDER");
         List<Path> files;
@@ -55,13 +54,9 @@ class OfficialRecordingsImportTest {
         assumeTrue(!files.isEmpty(), () -> "skipped: no replay_* in " + folder.toAbsolutePath());
         GroundTruth.Report all = new GroundTruth.Report(report, "pod-race of 2016");
         for (Path file : files) {
-            ByteArrayOutputStream replay = new ByteArrayOutputStream();
-            RecordingImport.Imported imported = RecordingImport.of(json(Files.readAllLines(file)),
-                file.getFileName().toString(), TestScenes.TYPES).write(replay);
-            Verification verification = TextMatches.verify(replay.toByteArray());
-            String difference = verification.difference() != null ? verification.difference().toString()
-                : imported.turns() == verification.turns() ? null : verification.turns() + " turns verified of "
-                    + imported.turns();
+            ImportedRecording recording = ImportedRecording.of(json(Files.readAllLines(file)));
+            Verification verification = recording.verified();
+            String difference = recording.difference(verification);
             all.add(file.getFileName().toString(), verification.turns(), (long) verification.turns() * PODS * RECORDED,
                 difference, List.of("headings, whole degrees there", "impacts, which are not told"));
         }
@@ -84,8 +79,7 @@ class OfficialRecordingsImportTest {
         for (int from = 0; from < moves.size(); from += PODS) {
             for (int player = 0; player < 2; player++) {
                 String said = moves.get(from + 2 * player) + "\n" + moves.get(from + 2 * player + 1);
-                byte[] bytes = said.getBytes(StandardCharsets.UTF_8);
-                assertNull(codec.readAnswer(player, bytes, bytes.length));
+                assertNull(CodecText.read(codec, player, said));
                 frames.addObject().put("keyframe", player == 1).put("stdout", said + "\n");
             }
             views.before();

@@ -4,18 +4,19 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import steward.game.ChangedWords;
+import steward.game.CodecText;
 import steward.game.GroundTruth;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.protocol.PodRaceType;
@@ -36,22 +37,18 @@ class RealExcerptsImportTest {
     private static final int POD_WORDS = 7;
     private static final int FIRST_IMPACT = 10;
 
-    private final ByteArrayOutputStream replay = new ByteArrayOutputStream();
-
-    private Verification verified(String json, String name) throws InterruptedException {
-        RecordingImport.of(json, name, TestScenes.TYPES).write(replay);
-        return TextMatches.verify(replay.toByteArray());
-    }
+    private static final Pattern WORD = Pattern.compile("\\S+");
 
     @Test
-    void theSitesOwnJsonVerifies(TestReporter report) throws IOException, InterruptedException {
+    void theSitesOwnJsonVerifies(TestReporter report) throws IOException {
         Path file = GroundTruth.replay("game_870230020_excerpt.json");
-        Verification verification = verified(Files.readString(file), "excerpt");
+        ImportedRecording recording = ImportedRecording.of(Files.readString(file));
+        Verification verification = recording.verified();
         assertNull(verification.difference());
         assertEquals(1, verification.turns());
         new GroundTruth.Report(report, "pod-race of 2026").add(file.getFileName().toString(), 1,
             verification.views().values(), null, verification.views().notCompared());
-        String text = replay.toString(StandardCharsets.UTF_8);
+        String text = recording.text();
         assertTrue(text.contains("\\n1:99 2:99\\n") && text.contains(" 11574 3374 ") && text.contains(" 3 639\\n"),
             text);
         assertEquals(0, verification.views().nearInAll());
@@ -60,39 +57,30 @@ class RealExcerptsImportTest {
     /** Impact times and impulses are among what is compared: to the last bit in these turns. */
     @ParameterizedTest
     @CsvSource({"turns_870230020.txt, 12, 3", "turns_888655750.txt, 8, 3"})
-    void theFirstTurnsOfAGameVerify(String name, int turns, int impacts) throws IOException, InterruptedException {
-        String json = json(Files.readAllLines(GroundTruth.replay(name)), turns);
-        Verification verification = verified(json, name);
+    void theFirstTurnsOfAGameVerify(String name, int turns, int impacts) throws IOException {
+        ImportedRecording recording = ImportedRecording.of(json(name, turns));
+        Verification verification = recording.verified();
         assertNull(verification.difference());
         assertEquals(turns, verification.turns());
         assertEquals(0, verification.views().nearInAll(), "all are equal to the last bit");
-        assertEquals(impacts, replay.toString(StandardCharsets.UTF_8).split("\"impulse\"", -1).length - 1);
+        assertEquals(impacts, recording.text().split("\"impulse\"", -1).length - 1);
     }
 
     /** The server's own impacts; times and impulses are changed by little more than 1e-9 of them. */
     @ParameterizedTest
     @CsvSource({"turns_870230020.txt, 12, 30", "turns_888655750.txt, 8, 30"})
-    void eachNumberOfEachImpactIsCompared(String name, int turns, int numbers) throws IOException,
-            InterruptedException {
-        ObjectNode game = (ObjectNode) JsonMapper.shared().readTree(json(Files.readAllLines(GroundTruth.replay(name)),
-            turns));
+    void eachNumberOfEachImpactIsCompared(String name, int turns, int numbers) throws IOException {
+        ObjectNode game = (ObjectNode) JsonMapper.shared().readTree(json(name, turns));
         int changed = 0;
         for (int turn = 1; turn <= turns; turn++) {
-            ObjectNode frame = (ObjectNode) game.get("frames").get(2 * turn);
+            ObjectNode frame = ImportedRecording.frame(game, 2 * turn);
             String view = frame.get("view").stringValue();
-            List<String> lines = view.lines().toList();
-            for (int line = FIRST_IMPACT; line < lines.size(); line++) {
-                for (int word = 1; word < lines.get(line).split(" ").length; word++, changed++) {
-                    String[] words = lines.get(line).split(" ");
-                    double number = Double.parseDouble(words[word]);
-                    words[word] = number == Math.rint(number) ? Long.toString((long) number + 1)
-                        : Double.toString(number * (1 + 1.1e-9));
-                    List<String> other = new ArrayList<>(lines);
-                    other.set(line, String.join(" ", words));
-                    frame.put("view", String.join("\n", other));
-                    replay.reset();
-                    ReplayDifference found = verified(game.toString(), name).difference();
-                    assertEquals("turn " + turn + ", view line " + line + ", word " + word,
+            for (ChangedWords change : ChangedWords.of(view, WORD, RealExcerptsImportTest::other)) {
+                if (change.line() >= FIRST_IMPACT && change.word() > 0) {
+                    changed++;
+                    frame.put("view", change.text());
+                    ReplayDifference found = ImportedRecording.verified(game).difference();
+                    assertEquals("turn " + turn + ", view line " + change.line() + ", word " + change.word(),
                         found == null ? null : "turn " + found.turn() + ", " + found.field());
                 }
             }
@@ -101,15 +89,20 @@ class RealExcerptsImportTest {
         assertEquals(numbers, changed);
     }
 
+    private static String other(String word) {
+        double number = word.matches("[-0-9.E]+") ? Double.parseDouble(word) : 0;
+        return number == Math.rint(number) ? Long.toString((long) number + 1) : Double.toString(number * (1 + 1.1e-9));
+    }
+
     /** As many turns, in the form of the site's own JSON; what the text files do not have is ours. */
-    private static String json(List<String> lines, int turns) {
+    private static String json(String name, int turns) throws IOException {
         PodRaceType.PodRaceSetup official = (PodRaceType.PodRaceSetup) TestScenes.open("mad-pod-racing");
         ObjectNode game = JsonMapper.shared().createObjectNode();
         ArrayNode frames = game.putArray("frames");
         PodRace race = null;
         SiteViews views = null;
         List<String> impacts = new ArrayList<>();
-        for (String line : lines) {
+        for (String line : Files.readAllLines(GroundTruth.replay(name))) {
             String[] words = line.split(" ");
             switch (words[0]) {
                 case "CHECKPOINTS" -> {
@@ -134,8 +127,7 @@ class RealExcerptsImportTest {
                         String[] said = Arrays.copyOfRange(words, 1 + 6 * player, 7 + 6 * player);
                         String answer = String.join(" ", said[0], said[1], said[2]) + "\n"
                             + String.join(" ", said[3], said[4], said[5]);
-                        byte[] bytes = answer.getBytes(StandardCharsets.UTF_8);
-                        assertNull(official.textCodec(race).orElseThrow().readAnswer(player, bytes, bytes.length));
+                        assertNull(CodecText.read(official.textCodec(race).orElseThrow(), player, answer));
                         frames.addObject().put("agentId", player).put("keyframe", player == 1).put("stdout", answer);
                     }
                     views.before();

@@ -2,12 +2,9 @@ package steward.codingame.recording;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayOutputStream;
 import org.junit.jupiter.api.Test;
-import steward.match.TestScenes;
 import steward.replay.verify.Verification;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
@@ -17,16 +14,9 @@ class SearchRaceImportTest {
 
     private final ObjectNode game = ServerGame.searchRace();
     private final ArrayNode frames = (ArrayNode) game.get("frames");
-    private final ByteArrayOutputStream replay = new ByteArrayOutputStream();
 
     private Verification verified() {
-        replay.reset();
-        try {
-            RecordingImport.of(game.toString(), "g.json", TestScenes.TYPES).write(replay);
-        } catch (InterruptedException nobodyDoes) {
-            throw new AssertionError(nobodyDoes);
-        }
-        return TextMatches.verify(replay.toByteArray());
+        return ImportedRecording.verified(game);
     }
 
     private void declare(String time) {
@@ -38,20 +28,12 @@ class SearchRaceImportTest {
     }
 
     private String time() {
-        verified();
-        return replay.toString().replaceFirst("(?s).*\"score\":([0-9.]+).*", "$1");
+        return ImportedRecording.of(game.toString()).text().replaceFirst("(?s).*\"score\":([0-9.]+).*", "$1");
     }
 
     private void spoil(int frame, String from, String to) {
-        ObjectNode node = (ObjectNode) frames.get(frame);
-        String view = node.get("view").asString();
-        assertTrue(view.contains(from), view);
-        node.put("view", view.replace(from, to));
-    }
-
-    private String problem() {
-        return assertThrows(IllegalArgumentException.class,
-            () -> RecordingImport.of(game.toString(), "g.json", TestScenes.TYPES)).getMessage();
+        ObjectNode node = ImportedRecording.frame(game, frame);
+        node.put("view", ImportedRecording.replaced(node.get("view").asString(), from, to));
     }
 
     @Test
@@ -74,11 +56,9 @@ class SearchRaceImportTest {
 
     @Test
     void anAnswerThatCannotBeReadLosesTheRace() {
-        while (frames.size() > 8) {
-            frames.remove(frames.size() - 1);
-        }
+        ImportedRecording.cut(game, 8);
         game.putArray("ranks").add(0);
-        ObjectNode last = (ObjectNode) frames.get(7);
+        ObjectNode last = ImportedRecording.frame(game, 7);
         last.put("stdout", "left\n").put("summary", "Can't parse").put("view",
             " 7\n{\"entitymodule\":\"\",\"debug\":[],\"endScreen\":[[1000],\"image\",[\"1000.0\"]]}\n");
         assertNull(verified().difference());
@@ -108,8 +88,9 @@ class SearchRaceImportTest {
 
     @Test
     void aGameOfTheSameToolkitIsNamedByItsView() {
-        ((ObjectNode) frames.get(0)).put("view", " 0\n{\"global\":{},\"frame\":{\"entitymodule\":\"CS\"}}\n");
-        assertTrue(problem().matches("g.json: frame 0, view line 1: found \"\\{.global.*expected the name of a game "
-            + "that is known: CodersStrikeBack, Search Race.*"), problem());
+        ImportedRecording.frame(game, 0).put("view", " 0\n{\"global\":{},\"frame\":{\"entitymodule\":\"CS\"}}\n");
+        String problem = ImportedRecording.problem(game.toString());
+        assertTrue(problem.matches("game.json: frame 0, view line 1: found \"\\{.global.*expected the name of a game "
+            + "that is known: CodersStrikeBack, Search Race.*"), problem);
     }
 }

@@ -3,15 +3,12 @@ package steward.codingame.recording;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import steward.match.TestScenes;
 import steward.replay.verify.Verification;
 
 /**
@@ -19,16 +16,6 @@ import steward.replay.verify.Verification;
  * nmahoude/codingame: three turns in which all wait, and one with a push and a meal.
  */
 class ServerChipsImportTest {
-
-    private static Verification verified(String json) {
-        ByteArrayOutputStream replay = new ByteArrayOutputStream();
-        try {
-            RecordingImport.of(json, "g.json", TestScenes.TYPES).write(replay);
-        } catch (InterruptedException problem) {
-            throw new AssertionError(problem);
-        }
-        return TextMatches.verify(replay.toByteArray());
-    }
 
     private static String changed(String from, String to) throws IOException {
         String json = SiteGames.of("poker-chip-race");
@@ -39,7 +26,7 @@ class ServerChipsImportTest {
 
     @Test
     void theExcerptVerifies() throws IOException {
-        Verification found = verified(SiteGames.of("poker-chip-race"));
+        Verification found = ImportedRecording.verified(SiteGames.of("poker-chip-race"));
         assertNull(found.difference());
         assertEquals(4, found.states());
     }
@@ -55,7 +42,7 @@ class ServerChipsImportTest {
         "2 -1 15.41 200.37 | 2 7 15.41 200.37 | view line 4, word 1",
         "1385 1385\\n\" | 1385 1386\\n\" | view line 9, word 1"})
     void aChangedValueIsFound(String from, String to, String field) throws IOException {
-        Verification found = verified(changed(from.strip(), to.strip()));
+        Verification found = ImportedRecording.verified(changed(from.strip(), to.strip()));
         assertNotNull(found.difference());
         assertEquals(field, found.difference().field());
         assertEquals(4, found.difference().turn());
@@ -64,7 +51,7 @@ class ServerChipsImportTest {
     @Test
     void aChangedPlaceOfTheStartIsFound() throws IOException {
         String json = SiteGames.of("poker-chip-race");
-        Verification found = verified(json.replaceFirst("359\\.68 27\\.89", "359.69 27.89"));
+        Verification found = ImportedRecording.verified(json.replaceFirst("359\\.68 27\\.89", "359.69 27.89"));
         assertEquals(0, found.difference().turn());
         assertEquals("view line 4, word 3", found.difference().field());
     }
@@ -75,9 +62,7 @@ class ServerChipsImportTest {
         "seed=603873261\\n | symmetric=false\\n | refereeInput: found \"symmetric=false",
         "2 800 515 300 | 2 800 515 | frame 0, view line 2: found \"2 800 515\", expected players, width"})
     void whatIsWrongIsToldWithItsPlace(String from, String to, String expected) throws IOException {
-        String json = changed(from, to);
-        String problem = assertThrows(IllegalArgumentException.class,
-            () -> RecordingImport.of(json, "g.json", TestScenes.TYPES)).getMessage();
-        assertTrue(problem.startsWith("g.json: " + expected), problem);
+        String problem = ImportedRecording.problem(changed(from, to));
+        assertTrue(problem.startsWith("game.json: " + expected), problem);
     }
 }

@@ -1,11 +1,11 @@
 package steward.codingame.recording;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.StringJoiner;
 import java.util.function.BiFunction;
 import java.util.function.Function;
+import steward.game.CodecText;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.TextCodec;
@@ -91,18 +91,14 @@ final class ServerGame {
         String[] messages = new String[game.players()];
         for (int player = 0; player < game.players(); player++) {
             String answer = answers.apply(game, player);
-            byte[] bytes = answer.getBytes(StandardCharsets.UTF_8);
-            String wrong = codec.readAnswer(player, bytes, bytes.length);
+            String wrong = CodecText.read(codec, player, answer);
             if (wrong != null) {
                 throw new AssertionError(wrong);
             }
             messages[player] = codec.message(player);
             boolean last = player == game.players() - 1;
-            ObjectNode frame = frames.addObject().put("stdout", answer + "\n").put("agentId", player)
-                .put("keyframe", last);
-            if (!last) {
-                frame.put("view", " " + (frames.size() - 1) + "\n");
-            }
+            frames.addObject().put("stdout", answer + "\n").put("keyframe", last).put("agentId", player)
+                .put("view", " " + (frames.size() - 1) + "\n");
         }
         views.before();
         game.play();
@@ -111,7 +107,7 @@ final class ServerGame {
 
     private void show(ObjectNode frame, ViewWriter.Frame shown) {
         List<String> lines = new ArrayList<>(shown.view());
-        lines.set(0, " " + (frames.size() - 1));
+        lines.set(0, lines.get(0).replaceFirst("^\\*", " " + (frames.size() - 1)));
         frame.put("view", text.apply(lines));
         frame.put("summary", String.join("\n", shown.summary()));
     }

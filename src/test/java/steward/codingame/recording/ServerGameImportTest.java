@@ -3,11 +3,8 @@ package steward.codingame.recording;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayOutputStream;
-import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -15,8 +12,8 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import steward.match.TestScenes;
 import steward.match.TestSize;
+import steward.replay.verify.ReplayDifference;
 import steward.replay.verify.Verification;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
@@ -28,31 +25,10 @@ class ServerGameImportTest {
     private static final ServerMeanMax GAME = ServerMeanMax.play(5, 300);
     private static final ServerMeanMax SHORT = ServerMeanMax.play(5, 3);
 
-    private final ByteArrayOutputStream replay = new ByteArrayOutputStream();
-
-    private RecordingImport.Imported imported(String json) {
-        replay.reset();
-        try {
-            return RecordingImport.of(json, "g.json", TestScenes.TYPES).write(replay);
-        } catch (InterruptedException nobodyDoes) {
-            throw new AssertionError(nobodyDoes);
-        }
-    }
-
-    private Verification verified(String json) {
-        imported(json);
-        return TextMatches.verify(replay.toByteArray());
-    }
-
-    private static String problemOf(String json) {
-        return assertThrows(IllegalArgumentException.class,
-            () -> RecordingImport.of(json, "g.json", TestScenes.TYPES)).getMessage();
-    }
-
     @Test
     @Tag("slow")
     void aWholeGameVerifiesInAllThatIsShown() {
-        Verification found = verified(GAME.json());
+        Verification found = ImportedRecording.verified(GAME.json());
         assertNull(found.difference());
         assertTrue(found.verified());
         assertEquals(GAME.turns(), found.states());
@@ -61,8 +37,9 @@ class ServerGameImportTest {
 
     @Test
     void aGameThatEndsEarlyIsImportedAsFarAsItGoes() {
-        assertEquals(new RecordingImport.Imported(3, null), imported(SHORT.json()));
-        Verification found = verified(SHORT.json());
+        ImportedRecording recording = ImportedRecording.of(SHORT.json());
+        assertEquals(new RecordingImport.Imported(3, null), recording.imported());
+        Verification found = recording.verified();
         assertTrue(found.agrees());
         assertEquals(3, found.turns());
     }
@@ -74,7 +51,7 @@ class ServerGameImportTest {
         "4 | 299 | turn 20, view line 4, word 0: recorded 299"})
     @Tag("slow")
     void aChangedNumberOfAPlayerIsFound(int line, String to, String expected) {
-        assertTrue(verified(spoilt(20, line, to)).difference().toString().startsWith(expected), expected);
+        assertTrue(difference(20, line, to).toString().startsWith(expected), expected);
     }
 
     @Test
@@ -90,10 +67,10 @@ class ServerGameImportTest {
             }
             String[] words = lines[line].split(" ");
             words[1] = Long.toString(Long.parseLong(words[1]) + 1);
-            Verification found = verified(spoilt(turn, line, String.join(" ", words)));
-            assertNotNull(found.difference(), "turn " + turn);
-            assertEquals(turn, found.difference().turn());
-            assertEquals("view line " + line + ", word 1", found.difference().field());
+            ReplayDifference found = difference(turn, line, String.join(" ", words));
+            assertNotNull(found, "turn " + turn);
+            assertEquals(turn, found.turn());
+            assertEquals("view line " + line + ", word 1", found.field());
         }
     }
 
@@ -106,13 +83,12 @@ class ServerGameImportTest {
         }
         String[] lines = view(turn).split("\n");
         String time = lines[16].substring(0, 7) + (lines[16].endsWith("1") ? "2" : "1");
-        assertEquals("view line 16, word 0", verified(spoilt(turn, 16, time)).difference().field());
+        assertEquals("view line 16, word 0", difference(turn, 16, time).field());
         String[] words = lines[17].split(" ");
         for (int k = 0; k < 5; k++) {
             String[] changed = words.clone();
             changed[k] = Long.toString(Long.parseLong(changed[k]) - 1);
-            assertEquals("view line 17, word " + k,
-                verified(spoilt(turn, 17, String.join(" ", changed))).difference().field());
+            assertEquals("view line 17, word " + k, difference(turn, 17, String.join(" ", changed)).field());
         }
     }
 
@@ -124,9 +100,8 @@ class ServerGameImportTest {
         }
         String view = view(turn);
         int from = view.indexOf("#0");
-        int to = view.indexOf('#', from + 1);
-        String difference = verified(spoilt(turn, view.substring(0, from) + view.substring(to))).difference()
-            .toString();
+        String without = view.substring(0, from) + view.substring(view.indexOf('#', from + 1));
+        String difference = difference(turn, without).toString();
         assertTrue(difference.startsWith("turn " + turn + ", view line 16"), difference);
     }
 
@@ -135,20 +110,19 @@ class ServerGameImportTest {
     void aChangedResultIsFound() {
         ObjectNode changed = GAME.gameResult();
         ((ArrayNode) changed.get("scores")).set(1, 1000.0);
-        assertEquals("scores line 0, word 1", verified(changed.toString()).difference().field());
+        assertEquals("scores line 0, word 1", ImportedRecording.verified(changed).difference().field());
         changed = GAME.gameResult();
         ArrayNode ranks = (ArrayNode) changed.get("ranks");
         int first = ranks.get(0).intValue();
         ranks.set(0, ranks.get(2).intValue()).set(2, first);
-        assertTrue(verified(changed.toString()).difference().field().startsWith("ranks line 0"));
+        assertTrue(ImportedRecording.verified(changed).difference().field().startsWith("ranks line 0"));
     }
 
     @Test
     void aPlayerThatSaidNothingFailsThere() {
         ObjectNode silent = SHORT.gameResult();
-        ((ObjectNode) silent.get("frames").get(5)).remove("stdout");
-        imported(silent.toString());
-        assertTrue(replay.toString(StandardCharsets.UTF_8).contains(
+        ImportedRecording.frame(silent, 5).remove("stdout");
+        assertTrue(ImportedRecording.of(silent.toString()).text().contains(
             "\"faults\":[null,\"no answer in the recording\",null]"));
     }
 
@@ -156,16 +130,16 @@ class ServerGameImportTest {
         return GAME.gameResult().get("frames").get(3 * turn).get("view").stringValue();
     }
 
-    private static String spoilt(int turn, int line, String to) {
+    private static ReplayDifference difference(int turn, int line, String to) {
         String[] lines = view(turn).split("\n");
         lines[line] = to;
-        return spoilt(turn, String.join("\n", lines));
+        return difference(turn, String.join("\n", lines));
     }
 
-    private static String spoilt(int turn, String view) {
+    private static ReplayDifference difference(int turn, String view) {
         ObjectNode changed = GAME.gameResult();
-        ((ObjectNode) changed.get("frames").get(3 * turn)).put("view", view);
-        return changed.toString();
+        ImportedRecording.frame(changed, 3 * turn).put("view", view);
+        return ImportedRecording.verified(changed).difference();
     }
 
     @ParameterizedTest
@@ -184,11 +158,8 @@ class ServerGameImportTest {
         "\"keyframe\":true,\"agentId\":2 | \"keyframe\":1,\"agentId\":2 | frame 3, keyframe: found 1, expected true",
         "\"stdout\":\"0 0 300 | \"stdout\":5,\"b\":\"0 0 300 | frame 1, stdout: found 5, expected a text"})
     void whatIsWrongIsToldWithItsFrameAndLine(String from, String to, String expected) {
-        String json = SHORT.json();
-        int at = json.indexOf(from);
-        assertTrue(at >= 0, "there is no " + from);
-        String problem = problemOf(json.substring(0, at) + to + json.substring(at + from.length()));
-        assertTrue(problem.startsWith("g.json: " + expected), problem);
+        String problem = ImportedRecording.problem(SHORT.json(), from, to);
+        assertTrue(problem.startsWith("game.json: " + expected), problem);
     }
 
     /** Lines of the start that the server would not have shown. */
@@ -202,24 +173,22 @@ class ServerGameImportTest {
         "\\n#1.00000 | \\n#0.5\\n#1.00000 | view line 21, word 0",
         "\\n3\\n0\\n | \\n3\\n-1\\n | view line 6, word 0"})
     void otherLinesOfTheStartAreFound(String from, String to, String field) {
-        String json = SHORT.json();
-        int at = json.indexOf(from);
-        assertTrue(at >= 0, "there is no " + from);
-        Verification found = verified(json.substring(0, at) + to + json.substring(at + from.length()));
-        assertEquals(0, found.difference().turn());
-        assertEquals(field, found.difference().field());
+        ReplayDifference found = ImportedRecording.verified(ImportedRecording.replaced(SHORT.json(), from, to))
+            .difference();
+        assertEquals(0, found.turn());
+        assertEquals(field, found.field());
     }
 
     @Test
     void aFrameThatIsMissingAndAFileThatIsCutAreTold() {
         ObjectNode missing = SHORT.gameResult();
         ((ArrayNode) missing.get("frames")).remove(4);
-        String gap = problemOf(missing.toString());
+        String gap = ImportedRecording.problem(missing.toString());
         assertTrue(gap.startsWith(
-            "g.json: frame 4, view line 0: found \" 5\", expected the number of the frame, 4: frames are missing"),
+            "game.json: frame 4, view line 0: found \" 5\", expected the number of the frame, 4: frames are missing"),
             gap);
         String json = SHORT.json();
-        String problem = problemOf(json.substring(0, json.length() / 2));
+        String problem = ImportedRecording.problem(json.substring(0, json.length() / 2));
         assertTrue(problem.contains("within the JSON") && problem.contains("expected all of it"), problem);
     }
 
@@ -230,6 +199,6 @@ class ServerGameImportTest {
         "[0,1,3] | ranks[2]: found 3, expected the number of a player 0..2, each once"})
     void ranksThatAreNone(String ranks, String expected) {
         String json = SHORT.gameResult().put("x", 0).toString().replace("\"x\":0", "\"ranks\":" + ranks);
-        assertEquals("g.json: " + expected, problemOf(json).split(": the numbers")[0]);
+        assertEquals("game.json: " + expected, ImportedRecording.problem(json).split(": the numbers")[0]);
     }
 }

@@ -3,9 +3,7 @@ package steward.codingame.recording;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,14 +14,13 @@ import java.util.StringJoiner;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.game.ChangedWords;
 import steward.game.GroundTruth;
-import steward.match.TestScenes;
 import steward.match.TestSize;
 import steward.replay.verify.Verification;
 import tools.jackson.databind.JsonNode;
@@ -43,7 +40,6 @@ class WordsAreComparedTest {
 
     private static final Pattern WORD = Pattern.compile("[^\\s\"]+");
     private static final Pattern JSON_WORD = Pattern.compile("-?[0-9]+(\\.[0-9]+)?|[A-Za-z]+");
-    private static final Pattern NUMBER = Pattern.compile("-?[0-9]+(\\.[0-9]+)?");
 
     private final Map<String, Integer> missed = new TreeMap<>();
     private int changed;
@@ -90,9 +86,7 @@ class WordsAreComparedTest {
         while (frames.get(last).path("summary").asString().isEmpty()) {
             last++;
         }
-        while (frames.size() > last + 1) {
-            frames.remove(frames.size() - 1);
-        }
+        ImportedRecording.cut(game, last + 1);
         Matcher place = Pattern.compile("x = ([0-9]+)\\\\ny = ([0-9]+)").matcher(frames.get(0).get("view").asString());
         StringJoiner map = new StringJoiner(";");
         while (place.find()) {
@@ -112,17 +106,14 @@ class WordsAreComparedTest {
             ArrayNode lines = (ArrayNode) game.get(name);
             for (int line = 0; line < lines.size(); line++) {
                 String text = lines.get(line).stringValue();
-                Matcher word = WORD.matcher(text);
-                while (word.find()) {
-                    lines.set(line, text.substring(0, word.start()) + other("view", word.group())
-                        + text.substring(word.end()));
+                for (ChangedWords change : ChangedWords.of(text, WORD, ChangedWords::otherEnd)) {
+                    lines.set(line, change.text());
                     look(game, name + (line == lines.size() - 1 ? ", the last line" : ""));
                 }
                 lines.set(line, text);
             }
         }
-        GroundTruth.tell(report, "search-race, lines: " + changed + " numbers and words changed one at a time, not "
-            + "found: " + missed);
+        GroundTruth.tell(report, ChangedWords.told("search-race, lines", changed, missed));
         assertMissed(Set.of("stdout, the last line"), "");
     }
 
@@ -148,27 +139,19 @@ class WordsAreComparedTest {
             changeAll(game, frame);
         }
         assertTrue(words > 100, "there are words");
-        GroundTruth.tell(report, name + ": " + changed + " numbers and words changed one at a time, not "
-            + "found: " + missed);
+        GroundTruth.tell(report, ChangedWords.told(name, changed, missed));
     }
 
     private static ObjectNode upTo(Path file, int last) throws IOException {
-        JsonNode json;
-        try (InputStream in = file.toString().endsWith(".gz") ? new GZIPInputStream(Files.newInputStream(file))
-                : Files.newInputStream(file)) {
-            json = JsonMapper.shared().readTree(in);
-        }
+        JsonNode json = JsonMapper.shared().readTree(GroundTruth.text(file));
         ObjectNode game = (ObjectNode) (json.has("success") ? json.get("success") : json);
         game.remove(List.of("scores", "ranks"));
-        ArrayNode frames = (ArrayNode) game.get("frames");
-        while (frames.size() > last + 1) {
-            frames.remove(frames.size() - 1);
-        }
+        ImportedRecording.cut(game, last + 1);
         return game;
     }
 
     private void changeAll(ObjectNode game, int frame) {
-        ObjectNode of = (ObjectNode) game.get("frames").get(frame);
+        ObjectNode of = ImportedRecording.frame(game, frame);
         for (String name : new ArrayList<>(of.propertyNames())) {
             JsonNode value = of.get(name);
             if (value.isString() && !name.equals("stderr")) {
@@ -185,28 +168,22 @@ class WordsAreComparedTest {
     }
 
     private void changeWords(ObjectNode game, ObjectNode frame, String name, String text) {
-        Matcher word = (text.contains("\n{") ? JSON_WORD : WORD).matcher(text);
-        while (word.find()) {
-            String before = text.substring(0, word.start());
-            long line = before.chars().filter(c -> c == '\n').count();
-            int number = before.substring(before.lastIndexOf('\n') + 1).strip().isEmpty() ? 0
-                : before.substring(before.lastIndexOf('\n') + 1).strip().split("\\s+").length;
-            frame.put(name, before + other(name, word.group()) + text.substring(word.end()));
-            look(game, name.equals("gameInformation") ? name : name + " line " + line + ", word " + number);
+        Pattern pattern = text.contains("\n{") ? JSON_WORD : WORD;
+        for (ChangedWords change : ChangedWords.of(text, pattern,
+            name.equals("stdout") ? WordsAreComparedTest::otherCommand : ChangedWords::otherEnd)) {
+            frame.put(name, change.text());
+            look(game, name.equals("gameInformation") ? name
+                : name + " line " + change.line() + ", word " + change.word());
         }
     }
 
-    /** A unit in the last digit more; of a command so much that it has an effect. */
-    private static String other(String name, String word) {
-        if (!NUMBER.matcher(word).matches()) {
-            return word + "x";
+    /** Of a number of a command so much that it has an effect. */
+    private static String otherCommand(String word) {
+        if (!word.matches("-?[0-9]+")) {
+            return ChangedWords.otherEnd(word);
         }
-        if (name.equals("stdout") && !word.contains(".")) {
-            long value = Long.parseLong(word);
-            return Long.toString(value > 0 && value < 1000 ? value / 2 - 1 : value + 3000);
-        }
-        int digit = word.charAt(word.length() - 1) - '0';
-        return word.substring(0, word.length() - 1) + (digit + 5) % 10;
+        long value = Long.parseLong(word);
+        return Long.toString(value > 0 && value < 1000 ? value / 2 - 1 : value + 3000);
     }
 
     private void look(ObjectNode game, String where) {
@@ -223,15 +200,11 @@ class WordsAreComparedTest {
     /** Text that is refused or found; {@code null} for nothing. */
     private static String difference(ObjectNode game) {
         try {
-            ByteArrayOutputStream replay = new ByteArrayOutputStream();
-            RecordingImport.of(game.toString(), "game.json", TestScenes.TYPES).write(replay);
-            Verification found = TextMatches.verify(replay.toByteArray());
+            Verification found = ImportedRecording.verified(game);
             return found.difference() != null ? found.difference().toString()
                 : found.views().near().stream().findFirst().orElse(null);
         } catch (IllegalArgumentException | DifferentGameException refused) {
             return refused.getMessage();
-        } catch (InterruptedException nobodyDoes) {
-            throw new AssertionError(nobodyDoes);
         }
     }
 }
