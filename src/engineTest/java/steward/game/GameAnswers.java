@@ -37,24 +37,17 @@ public abstract class GameAnswers<S extends GameSetup, G extends Game> {
 
     /** Reads lines, which a slash separates. */
     protected final String lines(String lines) {
-        byte[] bytes = lines.replace('/', '\n').getBytes(StandardCharsets.UTF_8);
-        return text.readAnswer(player, bytes, bytes.length);
+        return CodecText.read(text, player, lines.replace('/', '\n'));
     }
 
     /** Reads JSON with single quotes. */
     protected final String json(String line) {
-        byte[] bytes = line.replace('\'', '"').getBytes(StandardCharsets.UTF_8);
-        return codec.readAnswer(player, bytes, bytes.length);
+        return CodecText.read(codec, player, line.replace('\'', '"'));
     }
 
     /** Returns the lines that the player is sent. */
     protected final String turn(boolean first) {
-        StringBuilder out = new StringBuilder();
-        if (first) {
-            text.writeSetup(out, player);
-        }
-        text.writeTurn(out, player);
-        return out.toString();
+        return (first ? CodecText.setup(text, player) : "") + CodecText.turn(text, player);
     }
 
     /** Returns what a replay keeps of the last answer, with single quotes. */

@@ -1,6 +1,5 @@
 package steward.game;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import tools.jackson.databind.JsonNode;
@@ -103,13 +102,8 @@ public abstract class VectorReplay<G extends Game> {
         TextCodec lines = setup.textCodec(game).orElseThrow();
         for (int player = 0; player < game.players(); player++) {
             if (inputs != null && !inputs.get(player).isNull()) {
-                StringBuilder text = new StringBuilder();
-                if (first) {
-                    lines.writeSetup(text, player);
-                }
-                lines.writeTurn(text, player);
-                comparison.same(when + " input of player " + player, texts(inputs.get(player)),
-                    text.toString().lines().toList());
+                String text = (first ? CodecText.setup(lines, player) : "") + CodecText.turn(lines, player);
+                comparison.same(when + " input of player " + player, texts(inputs.get(player)), text.lines().toList());
                 compareAsked(when + " player " + player + " ", player, lines, game);
             }
             JsonNode answer = commands.get(player);
@@ -119,8 +113,7 @@ public abstract class VectorReplay<G extends Game> {
             } else if (!answer.isArray()) {
                 game.eliminate(player, "no answer in time");
             } else {
-                byte[] bytes = String.join("\n", texts(answer)).getBytes(StandardCharsets.UTF_8);
-                String wrong = lines.readAnswer(player, bytes, bytes.length);
+                String wrong = CodecText.read(lines, player, String.join("\n", texts(answer)));
                 if (wrong != null) {
                     game.eliminate(player, wrong);
                 }

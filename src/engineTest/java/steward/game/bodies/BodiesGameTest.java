@@ -5,8 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
+import steward.game.CodecText;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.TextCodec;
@@ -100,8 +100,7 @@ class BodiesGameTest {
             + "\"zones\": [{\"x\": 170, \"y\": 100, \"radius\": 5, \"label\": \"hole\", \"points\": 7, "
             + "\"ends\": true}]");
         Game game = setup.create(0);
-        byte[] answer = "{\"thrusts\":[{\"x\":50,\"y\":0}]}".getBytes(StandardCharsets.UTF_8);
-        assertNull(setup.codec(game).readAnswer(0, answer, answer.length));
+        assertNull(CodecText.read(setup.codec(game), 0, "{\"thrusts\":[{\"x\":50,\"y\":0}]}"));
         game.play();
         assertEquals(1, game.log().impacts());
         assertArrayEquals(new double[] {2, 9}, game.scores());
@@ -115,25 +114,18 @@ class BodiesGameTest {
             + "\"radius\": 10, \"owner\": 0}", "\"maximumTurns\": 9, \"maximumThrust\": 5");
         Game game = setup.create(0);
         TextCodec lines = setup.textCodec(game).orElseThrow();
-        StringBuilder sent = new StringBuilder();
-        lines.writeSetup(sent, 0);
-        lines.writeTurn(sent, 0);
-        assertEquals("0 1 2 0\n0 10 1\n0 10 1\n0\n100 100 0 0\n200 100 0 0\n", sent.toString());
+        assertEquals("0 1 2 0\n0 10 1\n0 10 1\n", CodecText.setup(lines, 0));
+        assertEquals("0\n100 100 0 0\n200 100 0 0\n", CodecText.turn(lines, 0));
         assertEquals(2, lines.answerLines(0));
-        assertEquals("line 2 of 2: found \"x 1\", expected two numbers X Y", read(lines, "0 0\nx 1"));
+        assertEquals("line 2 of 2: found \"x 1\", expected two numbers X Y", CodecText.read(lines, 0, "0 0\nx 1"));
         assertEquals("line 1 of 2: found a thrust of length 5.830951894845301, expected at most 5.0",
-            read(lines, "3 5\n0 0"));
-        assertEquals("found 1 lines, expected 2", read(lines, "3 4"));
-        assertNull(read(lines, "3 4 off we go\n-1 0.5"));
+            CodecText.read(lines, 0, "3 5\n0 0"));
+        assertEquals("found 1 lines, expected 2", CodecText.read(lines, 0, "3 4"));
+        assertNull(CodecText.read(lines, 0, "3 4 off we go\n-1 0.5"));
         assertEquals("off we go", lines.message(0));
         game.play();
         assertEquals(3, game.bodies().vx[0]);
         assertEquals(0.5, game.bodies().vy[1]);
-    }
-
-    private static String read(TextCodec lines, String answer) {
-        byte[] bytes = answer.getBytes(StandardCharsets.UTF_8);
-        return lines.readAnswer(0, bytes, bytes.length);
     }
 
     /** A copy and its original go on alike, also when one player is out. */

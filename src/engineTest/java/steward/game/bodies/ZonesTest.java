@@ -4,13 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.game.CodecText;
 import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.TurnEvent;
@@ -179,11 +179,8 @@ class ZonesTest {
             + disc(100, 100, 0, 0, ", \"owner\": 0") + "]", zone(500, 500, "hole", ", \"removes\": true"));
         Game game = setup.create(0);
         game.play();
-        StringBuilder lines = new StringBuilder();
-        setup.textCodec(game).orElseThrow().writeTurn(lines, 0);
-        assertEquals("0\n500 500 0 0\n100 100 0 0\n", lines.toString());
-        byte[] answer = "{\"thrusts\":[{\"x\":1,\"y\":0},{\"x\":0,\"y\":1}]}".getBytes(StandardCharsets.UTF_8);
-        assertEquals(null, setup.codec(game).readAnswer(0, answer, answer.length));
+        assertEquals("0\n500 500 0 0\n100 100 0 0\n", CodecText.turn(setup.textCodec(game).orElseThrow(), 0));
+        assertEquals(null, CodecText.read(setup.codec(game), 0, "{\"thrusts\":[{\"x\":1,\"y\":0},{\"x\":0,\"y\":1}]}"));
         game.play();
         assertEquals(1, game.bodies().vy[0]);
         Game copy = game.copy();

@@ -4,12 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.game.CodecText;
 import steward.game.GameSetup;
-import steward.game.TextCodec;
 import steward.match.TestScenes;
 
 /**
@@ -26,9 +25,7 @@ class FantasticBitsLeaguesTest {
     }
 
     private static String answer(GameSetup setup, FantasticBits game, int player, String answer) {
-        TextCodec lines = setup.textCodec(game).orElseThrow();
-        byte[] bytes = answer.getBytes(StandardCharsets.UTF_8);
-        return lines.readAnswer(player, bytes, bytes.length);
+        return CodecText.read(setup.textCodec(game).orElseThrow(), player, answer);
     }
 
     /** Everything else stands where it stands with bludgers; the posts take the ids that these would have. */
@@ -42,10 +39,9 @@ class FantasticBitsLeaguesTest {
         for (int k = 0; k < game.pitch().entities(); k++) {
             assertEquals(whole.bodies().x[k], game.bodies().x[k]);
         }
-        StringBuilder text = new StringBuilder();
-        setup.textCodec(game).orElseThrow().writeTurn(text, 0);
-        assertEquals(game.pitch().entities(), Integer.parseInt(text.toString().lines().toList().get(2)));
-        assertTrue(!text.toString().contains("BLUDGER"), text::toString);
+        String text = CodecText.turn(setup.textCodec(game).orElseThrow(), 0);
+        assertEquals(game.pitch().entities(), Integer.parseInt(text.lines().toList().get(2)));
+        assertTrue(!text.contains("BLUDGER"), text);
         int post = game.pitch().entities();
         assertTrue(answer(setup, game, 0, "OBLIVIATE " + post + "\nMOVE 1 2 3").contains("no entity"));
     }

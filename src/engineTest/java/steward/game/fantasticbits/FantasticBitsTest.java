@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -85,11 +86,17 @@ class FantasticBitsTest extends GameRules<FantasticBits> {
         assertEquals(4, game.pitch().held(0), "able again two turns later");
     }
 
+    /** Snaffle 4 flies to the right wall, at this height. */
+    private static FantasticBits shot(double y) {
+        FantasticBits game = quiet(0);
+        game.bodies().setPosition(4, 15500, y);
+        game.bodies().setVelocity(4, 1000, 0);
+        return game;
+    }
+
     @Test
     void aSnaffleBetweenThePostsScoresAndGoesOn() {
-        FantasticBits game = quiet(0);
-        game.bodies().setPosition(4, 15500, 3000);
-        game.bodies().setVelocity(4, 1000, 0);
+        FantasticBits game = shot(3000);
         game.play();
 
         assertEquals(1, game.score(0));
@@ -103,9 +110,7 @@ class FantasticBitsTest extends GameRules<FantasticBits> {
 
     @Test
     void aSnaffleBesideAGoalBounces() {
-        FantasticBits game = quiet(0);
-        game.bodies().setPosition(4, 15500, 1000);
-        game.bodies().setVelocity(4, 1000, 0);
+        FantasticBits game = shot(1000);
         game.play();
 
         assertEquals(0, game.score(0));
@@ -148,9 +153,7 @@ class FantasticBitsTest extends GameRules<FantasticBits> {
     /** The game ends with this turn; the first line of the one that failed still counts, and a goal of its does not. */
     @Test
     void aPlayerAtFaultHasMinusOne() {
-        FantasticBits game = quiet(0);
-        game.bodies().setPosition(4, 15500, 3000);
-        game.bodies().setVelocity(4, 1000, 0);
+        FantasticBits game = shot(3000);
         game.command(0, 0, WizardCommand.move(5000, 5250, 150));
         game.eliminate(0, "test");
         assertEquals(-1, game.scores()[0]);
@@ -159,15 +162,12 @@ class FantasticBitsTest extends GameRules<FantasticBits> {
         assertEquals(1150, game.bodies().x[0]);
         assertEquals(-1, game.score(0));
         assertEquals("a player is out", game.ending());
-        assertEquals(List.of(1, 0), java.util.Arrays.stream(game.ranks()).boxed().toList());
+        assertEquals(List.of(1, 0), Arrays.stream(game.ranks()).boxed().toList());
     }
 
     @Test
     void moreThanHalfOfTheSnafflesEndTheGame() {
-        FantasticBits game = SETUP.create(1).on(new Pitch(5, 2), new int[] {1, 2}, new int[2]);
-        for (int k = 0; k < 5; k++) {
-            game.bodies().setPosition(4 + k, 3000 + 1000 * k, 7000);
-        }
+        FantasticBits game = SETUP.create(1).on(quiet(0).pitch(), new int[] {1, 2}, new int[2]);
         assertEquals(3, game.winningScore());
         game.bodies().setPosition(4, 100, 3000);
         game.bodies().setVelocity(4, -200, 0);

@@ -1,17 +1,14 @@
 package steward.game.meanmax;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.assertNull;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
+import steward.game.CodecText;
 import steward.game.Comparison;
 import steward.game.GroundTruth;
 import steward.game.TextCodec;
@@ -40,10 +37,7 @@ class MeanMaxEchoedInputTest {
     }
 
     private static int compare(Path file, Comparison comparison) throws IOException {
-        JsonNode json;
-        try (InputStream in = new GZIPInputStream(Files.newInputStream(file))) {
-            json = JsonMapper.shared().readTree(in).get("success");
-        }
+        JsonNode json = JsonMapper.shared().readTree(GroundTruth.text(file)).get("success");
         MeanMaxType.MeanMaxSetup setup = new MeanMaxType().open(SceneReader.read(SceneFiles.load("mean-max"), null));
         MeanMax game = setup.create(Long.parseLong(json.get("refereeInput").asString().strip()
             .substring("seed=".length())));
@@ -54,8 +48,7 @@ class MeanMaxEchoedInputTest {
                 continue;
             }
             compareEcho(game, lines, player, frame.path("stderr").asString(""), comparison);
-            byte[] answer = frame.get("stdout").asString().strip().getBytes(StandardCharsets.UTF_8);
-            assertTrue(lines.readAnswer(player, answer, answer.length) == null, "the answer is good");
+            assertNull(CodecText.read(lines, player, frame.get("stdout").asString().strip()), "the answer is good");
             if (player == game.players() - 1) {
                 game.play();
             }
@@ -65,9 +58,8 @@ class MeanMaxEchoedInputTest {
 
     /** Bots that echo their input print a whole mass without its fraction. */
     private static void compareEcho(MeanMax game, TextCodec lines, int player, String echoed, Comparison comparison) {
-        StringBuilder text = new StringBuilder();
-        lines.writeTurn(text, player);
-        List<String> found = text.toString().lines().map(line -> line.replaceFirst("(\\d)\\.0 ", "$1 ")).toList();
+        List<String> found = CodecText.turn(lines, player).lines()
+            .map(line -> line.replaceFirst("(\\d)\\.0 ", "$1 ")).toList();
         List<String> recorded = echoed.lines().toList();
         if (recorded.size() >= found.size() && recorded.get(0).equals(found.get(0))) {
             for (int line = 0; line < found.size(); line++) {

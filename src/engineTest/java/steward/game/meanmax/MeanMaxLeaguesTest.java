@@ -6,14 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.game.CodecText;
 import steward.game.GameSetup;
-import steward.game.TextCodec;
 import steward.match.TestScenes;
 
 /**
@@ -34,9 +33,7 @@ class MeanMaxLeaguesTest {
     }
 
     private static String answer(GameSetup setup, MeanMax game, int player, String answer) {
-        TextCodec lines = setup.textCodec(game).orElseThrow();
-        byte[] bytes = answer.getBytes(StandardCharsets.UTF_8);
-        return lines.readAnswer(player, bytes, bytes.length);
+        return CodecText.read(setup.textCodec(game).orElseThrow(), player, answer);
     }
 
     @ParameterizedTest

@@ -3,6 +3,7 @@ package steward.game.meanmax;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -13,6 +14,8 @@ import steward.game.TurnEvent;
 import steward.game.meanmax.protocol.MeanMaxType;
 import steward.match.TestScenes;
 import steward.physics.Bodies;
+import steward.physics.Reaction;
+import steward.physics.TurnSink;
 
 /** The rules of Mean Max where no referee's game is at hand; those of whole games are in the vectors. */
 class MeanMaxTest extends GameRules<MeanMax> {
@@ -25,13 +28,17 @@ class MeanMaxTest extends GameRules<MeanMax> {
 
     /** A game with all looters far apart at rest, and no tankers. */
     private static MeanMax quiet(int[] rages) {
+        return SETUP.create(1).in(quietWorld(), new int[3], rages);
+    }
+
+    private static MeanMaxWorld quietWorld() {
         MeanMaxWorld world = MeanMaxWorld.empty(SETUP.settings(), 1, 3, 12);
         for (int looter = 0; looter < 9; looter++) {
             UnitKind kind = UnitKind.of(looter % 3);
             int body = world.addUnit(looter, kind, looter / 3, 400, kind.mass(), 0, 0);
             world.bodies().setPosition(body, 2000 * (looter % 3 - 1), 2000 * (looter / 3 - 1));
         }
-        return SETUP.create(1).in(world, new int[3], rages);
+        return world;
     }
 
     @Test
@@ -98,12 +105,7 @@ class MeanMaxTest extends GameRules<MeanMax> {
     /** A destroyer sinks a tanker and goes on through; the reaper in the wreck takes a water each turn. */
     @Test
     void aSunkenTankerIsHarvested() {
-        MeanMaxWorld world = MeanMaxWorld.empty(SETUP.settings(), 1, 3, 12);
-        for (int looter = 0; looter < 9; looter++) {
-            UnitKind kind = UnitKind.of(looter % 3);
-            int body = world.addUnit(looter, kind, looter / 3, 400, kind.mass(), 0, 0);
-            world.bodies().setPosition(body, 2000 * (looter % 3 - 1), 2000 * (looter / 3 - 1));
-        }
+        MeanMaxWorld world = quietWorld();
         int tanker = world.addUnit(9, UnitKind.TANKER, 2, 600, 3.5, 2, 4);
         world.bodies().setPosition(tanker, 1000, -2600);
         world.bodies().setPosition(1, -10, -2600);
@@ -131,11 +133,11 @@ class MeanMaxTest extends GameRules<MeanMax> {
         bodies.add(1000, 0, 600, 13.5);
         bodies.setKind(1, UnitKind.TANKER.ordinal());
 
-        assertEquals(steward.physics.Reaction.Verdict.BOUNCE,
-            new Sinking().on(0.5, 0, 1, bodies, steward.physics.TurnSink.NONE));
+        assertEquals(Reaction.Verdict.BOUNCE,
+            new Sinking().on(0.5, 0, 1, bodies, TurnSink.NONE));
         bodies.setMass(1, 3.5);
-        assertEquals(steward.physics.Reaction.Verdict.CHANGED,
-            new Sinking().on(0.5, 0, 1, bodies, steward.physics.TurnSink.NONE));
+        assertEquals(Reaction.Verdict.CHANGED,
+            new Sinking().on(0.5, 0, 1, bodies, TurnSink.NONE));
         assertEquals(1, bodies.size());
         assertEquals(3, bodies.nextId(), "the wreck has taken an id");
     }
@@ -145,21 +147,25 @@ class MeanMaxTest extends GameRules<MeanMax> {
     void equalScoresTie() {
         MeanMax game = SETUP.create(1).in(MeanMaxWorld.draw(SETUP.settings(), 3, 3), new int[] {4, 7, 7}, new int[3]);
 
-        assertEquals(List.of(2, 0, 0), java.util.Arrays.stream(game.ranks()).boxed().toList());
+        assertEquals(List.of(2, 0, 0), Arrays.stream(game.ranks()).boxed().toList());
     }
 
     @Test
     void theLastOneLeftMustBeAhead() {
-        MeanMax behind = SETUP.create(1).in(MeanMaxWorld.draw(SETUP.settings(), 3, 3), new int[] {4, 7, 2}, new int[3]);
-        behind.eliminate(1, "test");
-        behind.eliminate(2, "test");
-        behind.play();
+        MeanMax behind = firstAlone(4);
         assertFalse(behind.isOver());
-        MeanMax ahead = SETUP.create(1).in(MeanMaxWorld.draw(SETUP.settings(), 3, 3), new int[] {8, 7, 2}, new int[3]);
-        ahead.eliminate(1, "test");
-        ahead.eliminate(2, "test");
-        ahead.play();
+        MeanMax ahead = firstAlone(8);
         assertEquals("all others are out and behind", ahead.ending());
+    }
+
+    /** A turn later, of scores n, 7 and 2, whose last two are out. */
+    private static MeanMax firstAlone(int score) {
+        MeanMax game = SETUP.create(1).in(MeanMaxWorld.draw(SETUP.settings(), 3, 3), new int[] {score, 7, 2},
+            new int[3]);
+        game.eliminate(1, "test");
+        game.eliminate(2, "test");
+        game.play();
+        return game;
     }
 
     @Override
@@ -178,11 +184,6 @@ class MeanMaxTest extends GameRules<MeanMax> {
     @Override
     protected double alike() {
         return 0.95;
-    }
-
-    @Override
-    protected int additions(MeanMax game) {
-        return game.world().effects().size();
     }
 
     /** In whole numbers. */

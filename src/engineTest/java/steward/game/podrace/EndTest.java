@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.match.TestScenes;
 
@@ -125,8 +127,6 @@ class EndTest {
     @Test
     void bothFinishInOneTurnWithAsManyCheckpointsAndTheOneNearerToTheNextWins() {
         PodRace race = Races.duel(2, new double[][] {{0, 0}, {9000, 0}});
-        Races.put(race, 0, -200, 0, 1);
-        Races.put(race, 1, 200, 1e-3, 1);
         race.setPod(0, new PodState(-599, 0, 0, 0, 0, 0, true, 1));
         race.setPod(1, new PodState(599, 0, 0, 0, 0, 0, true, 1));
         race.play();
@@ -145,13 +145,19 @@ class EndTest {
         assertArrayEquals(new int[] {0, 0}, race.ranks());
     }
 
+    /** Pods far from each other and from all checkpoints. */
+    private static PodRace apart(int players) {
+        PodRace race = Races.duel(players, MAP);
+        for (int pod = 0; pod < players; pod++) {
+            Races.put(race, pod, 50_000, 5000 * pod, 0);
+        }
+        return race;
+    }
+
     /** Shield up, then a fault: it weighs 10 in the turn of the fault and from then on. */
     @Test
     void aPodWithoutACommandKeepsItsMass() {
-        PodRace race = Races.duel(3, MAP);
-        for (int pod = 0; pod < 3; pod++) {
-            Races.put(race, pod, 50_000, 5000 * pod, 0);
-        }
+        PodRace race = apart(3);
         race.command(0, 0, 0, PodRace.SHIELD);
         race.play();
         assertEquals(10, race.bodies().mass[0]);
@@ -167,10 +173,7 @@ class EndTest {
     /** Commands given before the fault take effect in its turn, and no later. */
     @Test
     void whatWasCommandedBeforeTheFaultTakesEffect() {
-        PodRace race = Races.duel(3, MAP);
-        for (int pod = 0; pod < 3; pod++) {
-            Races.put(race, pod, 50_000, 5000 * pod, 0);
-        }
+        PodRace race = apart(3);
         race.command(0, 60_000, 0, 100);
         race.eliminate(0, "fault");
         race.play();
@@ -182,9 +185,7 @@ class EndTest {
     @Test
     void finishingCountsMoreThanBeingTheLastOneIn() {
         PodRace race = Races.duel(3, MAP);
-        Races.put(race, 0, 90_000, 0, 1);
-        Races.put(race, 1, 50_000, 0, 1);
-        Races.put(race, 2, 50_000, 5000, 1);
+        Races.put(race, new double[][] {{90_000, 0, 1}, {50_000, 0, 1}, {50_000, 5000, 1}});
         race.eliminate(2, "fault");
         race.play();
 
@@ -198,48 +199,26 @@ class EndTest {
             .replace("\"players\": 2", "\"players\": " + players), "short")).create(MAP);
     }
 
-    @Test
-    void atTheLastTurnMoreCheckpointsWin() {
+    /** At the last turn more checkpoints win, with as many the nearer one, and as near is a draw. */
+    @ParameterizedTest
+    @CsvSource({"700, 0, 0, 10000, 0, 1, 1, 0", "701, 0, 0, -700, 0, 0, 1, 0", "0, 800, 0, -800, 0, 0, 0, 0"})
+    void theLastTurnEndsAsTheyStand(double x, double y, int passed, double otherX, double otherY, int otherPassed,
+                                    int rank, int otherRank) {
         PodRace race = shortRace(2);
-        Races.put(race, 0, 700, 0, 0);
-        Races.put(race, 1, 10_000, 0, 1);
+        Races.put(race, new double[][] {{x, y, passed}, {otherX, otherY, otherPassed}});
         race.play();
         assertFalse(race.isOver());
         race.play();
-
         assertEquals("at most 2 turns are played", race.ending());
-        assertArrayEquals(new int[] {1, 0}, race.ranks());
-        assertArrayEquals(new double[] {0, 1}, race.scores());
-    }
-
-    @Test
-    void withAsManyTheNearerOneWins() {
-        PodRace race = shortRace(2);
-        Races.put(race, 0, 701, 0, 0);
-        Races.put(race, 1, -700, 0, 0);
-        Races.coast(race, 2);
-
-        assertArrayEquals(new int[] {1, 0}, race.ranks());
-    }
-
-    @Test
-    void asNearIsADraw() {
-        PodRace race = shortRace(2);
-        Races.put(race, 0, 0, 800, 0);
-        Races.put(race, 1, -800, 0, 0);
-        Races.coast(race, 2);
-
-        assertArrayEquals(new int[] {0, 0}, race.ranks());
+        assertArrayEquals(new int[] {rank, otherRank}, race.ranks());
+        assertArrayEquals(new double[] {passed, otherPassed}, race.scores());
     }
 
     @Test
     void thePlayersBetterPodCounts() {
         PodRace race = ((PodRaceType.PodRaceSetup) TestScenes.changed("mad-pod-racing", "\"maximumTurns\": 500",
             "\"maximumTurns\": 1")).create(MAP);
-        Races.put(race, 0, 30_000, 0, 0);
-        Races.put(race, 1, 2000, 0, 0);
-        Races.put(race, 2, 3000, 3000, 0);
-        Races.put(race, 3, 3000, -3000, 0);
+        Races.put(race, new double[][] {{30_000, 0, 0}, {2000, 0, 0}, {3000, 3000, 0}, {3000, -3000, 0}});
         race.play();
 
         assertArrayEquals(new int[] {0, 1}, race.ranks());
@@ -263,11 +242,8 @@ class EndTest {
     @Test
     void tiesShareARank() {
         PodRace race = shortRace(5);
-        Races.put(race, 0, 2000, 0, 0);
-        Races.put(race, 1, 90_000, 2000, 1);
-        Races.put(race, 2, 90_000, -2000, 1);
-        Races.put(race, 3, -2000, 0, 0);
-        Races.put(race, 4, 5000, 0, 0);
+        Races.put(race, new double[][] {{2000, 0, 0}, {90_000, 2000, 1}, {90_000, -2000, 1}, {-2000, 0, 0},
+            {5000, 0, 0}});
         race.play();
         assertArrayEquals(new int[] {2, 0, 0, 2, 4}, race.ranks(), "the standing is there at any time");
         race.play();
@@ -278,10 +254,7 @@ class EndTest {
 
     @Test
     void allWhoAreOutShareTheLastRank() {
-        PodRace race = Races.duel(4, MAP);
-        for (int pod = 0; pod < 4; pod++) {
-            Races.put(race, pod, 50_000, 5000 * pod, 0);
-        }
+        PodRace race = apart(4);
         race.eliminate(2, "first");
         race.eliminate(2, "once more");
         race.play();
@@ -297,9 +270,7 @@ class EndTest {
     /** Player 0 is out and player 1 breaks the rule in the same turn: both leave in it, nobody wins. */
     @Test
     void aFaultAndARuleInOneTurnAreADraw() {
-        PodRace race = Races.duel(2, MAP);
-        Races.put(race, 0, 50_000, 0, 0);
-        Races.put(race, 1, 50_000, 5000, 0);
+        PodRace race = apart(2);
         Races.coast(race, 50);
         race.eliminate(0, "fault");
         race.play();

@@ -1,5 +1,6 @@
 package steward.game.podrace;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -14,7 +15,6 @@ import steward.game.podrace.protocol.PodRaceType;
 import steward.game.podrace.simulator.PodCommands;
 import steward.game.podrace.simulator.PodRaceSimulator;
 import steward.numerics.SineCosine;
-import steward.physics.Impact;
 
 /**
  * Turns of the live server that decide when a checkpoint is passed and when a player is out. The expected numbers are
@@ -23,7 +23,6 @@ import steward.physics.Impact;
 class LiveEdgesTest {
 
     private static final int PODS = 4;
-    private static final int COLUMNS = 7;
     private static final int HEADING = 4;
     private static final int SHIELD = 5;
     private static final int NEXT = 6;
@@ -130,20 +129,9 @@ class LiveEdgesTest {
 
     private static void add(List<Block> blocks, String[][] now, List<String[]> impacts) {
         if (now['T'] != null) {
-            double[] places = Arrays.stream(now['P'], 1, now['P'].length).mapToDouble(Double::parseDouble).toArray();
-            double[][] map = new double[places.length / 2][];
-            Arrays.setAll(map, k -> new double[] {places[2 * k], places[2 * k + 1]});
-            blocks.add(new Block(now['T'], map, rows(now['S']), leftBefore(now), now['M'], now['W'], impacts,
-                rows(now['E']), left(now['R']), now['D']));
+            blocks.add(new Block(now['T'], Recordings.map(now['P']), Recordings.rows(now['S'], 1), leftBefore(now),
+                now['M'], now['W'], impacts, Recordings.rows(now['E'], 1), left(now['R']), now['D']));
         }
-    }
-
-    private static double[][] rows(String[] words) {
-        double[][] pods = new double[PODS][COLUMNS];
-        for (int k = 0; k < PODS * COLUMNS; k++) {
-            pods[k / COLUMNS][k % COLUMNS] = Double.parseDouble(words[1 + k]);
-        }
-        return pods;
     }
 
     /** The counters before; where they were not read, those of a turn without a checkpoint. */
@@ -192,7 +180,9 @@ class LiveEdgesTest {
         }
         assertEquals(block.impacts().size(), race.log().impacts(), where + ", impacts");
         for (int k = 0; k < block.impacts().size(); k++) {
-            compareImpact(where, block.impacts().get(k), race.log().impact(k));
+            String[] words = block.impacts().get(k);
+            assertArrayEquals(Arrays.stream(words, 2, 12).mapToDouble(Double::parseDouble).toArray(),
+                Recordings.numbers(race.log().impact(k)), where + " " + String.join(" ", words));
         }
         for (int player = 0; player < 2; player++) {
             assertEquals(block.leftAfter()[player], race.turnsLeft(player), where + ", turns left of " + player);
@@ -202,39 +192,18 @@ class LiveEdgesTest {
         assertEquals(block.out() != null, race.isOver(), where + ", is over");
     }
 
-    /** C id time a ax ay b bx by impulse mx my. */
-    private static void compareImpact(String where, String[] words, Impact impact) {
-        String what = where + " " + String.join(" ", words);
-        assertEquals(Double.parseDouble(words[2]), impact.time(), what);
-        assertEquals(Integer.parseInt(words[3]), impact.a(), what);
-        assertEquals(Integer.parseInt(words[6]), impact.b(), what);
-        assertEquals(Double.parseDouble(words[9]), impact.impulse(), what);
-        long[] rounded = {Math.round(impact.ax()), Math.round(impact.ay()), Math.round(impact.bx()),
-            Math.round(impact.by()), Math.round((impact.vaxBefore() + impact.vbxBefore()) / 2),
-            Math.round((impact.vayBefore() + impact.vbyBefore()) / 2)};
-        assertEquals(List.of(words[4], words[5], words[7], words[8], words[10], words[11]).toString(),
-            Arrays.toString(rounded), what);
-    }
-
     /** The simulator goes on behind the finish, so that it is asked for what has been passed. */
     private void compareSimulated(Block block, PodRace played) {
         PodRace before = begin(block);
         PodRaceSimulator race = new PodRaceSimulator(block.map());
         PodCommands commands = new PodCommands(PODS);
         for (int pod = 0; pod < PODS; pod++) {
-            PodState state = before.pod(pod);
-            race.setPod(pod, state.x(), state.y(), state.vx(), state.vy(), state.heading(), state.shieldTimer(),
-                state.boostLeft(), state.passed());
-            commands.set(pod, before.targetX(pod), before.targetY(pod), switch (before.thrust(pod)) {
-                case PodRace.SHIELD -> PodCommands.SHIELD;
-                case PodRace.BOOST -> PodCommands.BOOST;
-                default -> before.thrust(pod);
-            });
+            Races.put(race, pod, before.pod(pod));
+            commands.set(pod, before.targetX(pod), before.targetY(pod), before.thrust(pod));
         }
         race.play(commands);
         for (int pod = 0; pod < PODS; pod++) {
-            assertEquals(played.pod(pod), new PodState(race.x(pod), race.y(pod), race.vx(pod), race.vy(pod),
-                race.heading(pod), race.shieldTimer(pod), race.boostLeft(pod), race.passed(pod)),
+            assertEquals(played.pod(pod), Races.state(race, pod),
                 "simulator, " + String.join(" ", block.turn()) + ", pod " + pod);
         }
     }

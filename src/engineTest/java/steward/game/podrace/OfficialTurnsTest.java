@@ -15,7 +15,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import steward.game.GroundTruth;
 import steward.game.podrace.Recordings.Command;
-import steward.physics.Impact;
 
 /**
  * Turns of the server of 2026 at full precision: states, and every impact with its time and impulse to the last bit.
@@ -24,7 +23,6 @@ import steward.physics.Impact;
 class OfficialTurnsTest {
 
     private static final int PODS = 4;
-    private static final int COLUMNS = 7;
     private static final int HEADING = 4;
     private static final int SHIELD = 5;
     private static final int NEXT = 6;
@@ -81,14 +79,8 @@ class OfficialTurnsTest {
                     timers = Arrays.stream(words, 2, 2 + PODS).mapToInt(Integer::parseInt).toArray();
                 }
             }
-            case "CHECKPOINTS" -> {
-                checkpoints = new double[(words.length - 1) / 2][];
-                for (int k = 0; k < checkpoints.length; k++) {
-                    checkpoints[k] = new double[] {Double.parseDouble(words[1 + 2 * k]),
-                        Double.parseDouble(words[2 + 2 * k])};
-                }
-            }
-            case "S" -> state("S " + words[1], row(words));
+            case "CHECKPOINTS" -> checkpoints = Recordings.map(words);
+            case "S" -> state("S " + words[1], Recordings.rows(words, 2));
             case "M" -> moves = words;
             case "C" -> recorded.add(words);
             default -> { }
@@ -117,15 +109,6 @@ class OfficialTurnsTest {
         }
     }
 
-    private static double[][] row(String[] words) {
-        double[][] pods = new double[PODS][COLUMNS];
-        for (int k = 0; k < PODS * COLUMNS; k++) {
-            pods[k / COLUMNS][k % COLUMNS] = words[2 + k].equals("null") ? Double.NaN
-                : Double.parseDouble(words[2 + k]);
-        }
-        return pods;
-    }
-
     private void compareTurn(String where, double[][] after) {
         for (int pod = 0; pod < PODS; pod++) {
             Command command = Recordings.command(moves[1 + 3 * pod], moves[2 + 3 * pod], moves[3 + 3 * pod]);
@@ -146,12 +129,10 @@ class OfficialTurnsTest {
         compare(where + " number of impacts", recorded.size(), race.log().impacts());
         for (int k = 0; k < Math.min(recorded.size(), race.log().impacts()); k++) {
             double[] words = Arrays.stream(recorded.get(k), 1, 11).mapToDouble(Double::parseDouble).toArray();
-            Impact impact = race.log().impact(k);
-            compare(where + " impact " + k, words[0], impact.time(), words[1], impact.a(), words[4], impact.b(),
-                words[7], impact.impulse(), words[2], Math.round(impact.ax()), words[3], Math.round(impact.ay()),
-                words[5], Math.round(impact.bx()), words[6], Math.round(impact.by()),
-                words[8], Math.round((impact.vaxBefore() + impact.vbxBefore()) / 2),
-                words[9], Math.round((impact.vayBefore() + impact.vbyBefore()) / 2));
+            double[] found = Recordings.numbers(race.log().impact(k));
+            for (int number = 0; number < words.length; number++) {
+                compare(where + " impact " + k, words[number], found[number]);
+            }
         }
     }
 

@@ -1,7 +1,10 @@
 package steward.game.podrace;
 
 import steward.game.podrace.protocol.PodRaceType;
+import steward.game.podrace.simulator.PodRaceSimulator;
+import steward.game.podrace.simulator.TextbookPodRace;
 import steward.match.TestScenes;
+import steward.physics.event.EventAdvance;
 
 /** Races on maps made for one question, and pods in states made for it. */
 public final class Races {
@@ -45,6 +48,55 @@ public final class Races {
 
     static void put(PodRace race, int pod, double x, double y, int passed) {
         race.setPod(pod, new PodState(x, y, 0, 0, Double.NaN, 0, true, passed));
+    }
+
+    /** Fresh pods at rest from pod 0 on. @param rows x, y and the checkpoints passed */
+    static void put(PodRace race, double[][] rows) {
+        for (int pod = 0; pod < rows.length; pod++) {
+            put(race, pod, rows[pod][0], rows[pod][1], (int) rows[pod][2]);
+        }
+    }
+
+    /** Puts a pod into a simulator. */
+    public static void put(PodRaceSimulator race, int pod, PodState state) {
+        race.setPod(pod, state.x(), state.y(), state.vx(), state.vy(), state.heading(), state.shieldTimer(),
+            state.boostLeft(), state.passed());
+    }
+
+    /** The state of a simulator's pod. */
+    public static PodState state(PodRaceSimulator race, int pod) {
+        return state(race, pod, race.heading(pod));
+    }
+
+    /** The state of a simulator's pod, whose heading is not asked for. */
+    public static PodState state(PodRaceSimulator race, int pod, double heading) {
+        return new PodState(race.x(pod), race.y(pod), race.vx(pod), race.vy(pod), heading, race.shieldTimer(pod),
+            race.boostLeft(pod), race.passed(pod));
+    }
+
+    /** Puts a textbook's pod into a state. */
+    public static void put(TextbookPodRace race, int k, PodState state) {
+        TextbookPodRace.Pod pod = race.pod(k);
+        pod.x = state.x();
+        pod.y = state.y();
+        pod.vx = state.vx();
+        pod.vy = state.vy();
+        pod.heading = state.heading();
+        pod.shieldTimer = state.shieldTimer();
+        pod.boostLeft = state.boostLeft();
+        pod.passed = state.passed();
+    }
+
+    /** The state of a textbook's pod. */
+    public static PodState state(TextbookPodRace race, int k) {
+        TextbookPodRace.Pod pod = race.pod(k);
+        return new PodState(pod.x, pod.y, pod.vx, pod.vy, pod.heading, pod.shieldTimer, pod.boostLeft, pod.passed);
+    }
+
+    /** A race by the event loop of every scene. */
+    public static PodRace plain(PodRaceType.PodRaceSetup setup, double[][] map) {
+        return new PodRace(setup.settings(), setup.scene(), setup.plan(), map,
+            new EventAdvance(setup.plan().physics(null)));
     }
 
     /** Plays turns without any command. */

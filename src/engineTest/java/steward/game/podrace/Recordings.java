@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.match.TestScenes;
+import steward.physics.Impact;
 
 /** Official recordings: where they are, how they are read, and the race they are compared with. */
 public final class Recordings {
@@ -66,7 +67,7 @@ public final class Recordings {
         for (String line : lines(file)) {
             String[] words = line.trim().split(" +");
             switch (words[0]) {
-                case "CHECKPOINTS" -> checkpoints = points(Arrays.copyOfRange(words, 1, words.length));
+                case "CHECKPOINTS" -> checkpoints = map(words);
                 case "IN" -> before.add(numbers(words));
                 case "MOV" -> commands.add(command(words[1], words[2], words[3]));
                 case "OUT" -> {
@@ -85,7 +86,7 @@ public final class Recordings {
         return new Recording(file.getFileName().toString(), checkpoints, rounds);
     }
 
-    static Command command(String x, String y, String thrust) {
+    public static Command command(String x, String y, String thrust) {
         int power = switch (thrust) {
             case "SHIELD" -> PodRace.SHIELD;
             case "BOOST" -> PodRace.BOOST;
@@ -98,12 +99,30 @@ public final class Recordings {
         return Arrays.stream(words, 1, words.length).mapToDouble(Double::parseDouble).toArray();
     }
 
-    private static double[][] points(String[] words) {
-        double[][] points = new double[words.length / 2][];
-        for (int k = 0; k < points.length; k++) {
-            points[k] = new double[] {Double.parseDouble(words[2 * k]), Double.parseDouble(words[2 * k + 1])};
+    /** The map of a line: places behind its first word. */
+    public static double[][] map(String[] words) {
+        double[][] map = new double[words.length / 2][];
+        Arrays.setAll(map, k -> new double[] {Double.parseDouble(words[1 + 2 * k]),
+            Double.parseDouble(words[2 + 2 * k])});
+        return map;
+    }
+
+    /** Rows of four pods in a line, from a word on: x, y, vx, vy, heading, shield, next checkpoint. */
+    public static double[][] rows(String[] words, int from) {
+        double[][] rows = new double[4][7];
+        for (int k = 0; k < 4 * 7; k++) {
+            String word = words[from + k];
+            rows[k / 7][k % 7] = word.equals("null") ? Double.NaN : Double.parseDouble(word);
         }
-        return points;
+        return rows;
+    }
+
+    /** Numbers of an impact as a line tells them: time a ax ay b bx by impulse, then its mean velocity. */
+    static double[] numbers(Impact impact) {
+        return new double[] {impact.time(), impact.a(), Math.round(impact.ax()), Math.round(impact.ay()), impact.b(),
+            Math.round(impact.bx()), Math.round(impact.by()), impact.impulse(),
+            Math.round((impact.vaxBefore() + impact.vbxBefore()) / 2),
+            Math.round((impact.vayBefore() + impact.vbyBefore()) / 2)};
     }
 
     /** The shipped official scene, which has the rules of the live server. */

@@ -1,20 +1,16 @@
 package steward.lab.calibration;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import steward.game.Game;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
 import steward.game.Pilot;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.lab.trial.Probe;
-import steward.numerics.SplitMix64;
 import steward.physics.Bodies;
 import steward.physics.Motion;
 import steward.physics.TurnLog;
@@ -37,32 +33,6 @@ class SeededPlayTest {
     }
 
     /** Flown from there with the scene's own physics, the bodies end where the next turn begins. */
-    /** A copy in the middle of a race of seeded pilots goes on with the same bits. */
-    @Test
-    void aCopiedRaceGoesOnAlike() {
-        GameSetup setup = setup();
-        Game race = setup.create(7);
-        Game copy = null;
-        for (int turn = 0; turn < 60; turn++) {
-            copy = turn == 30 ? race.copy() : copy;
-            command(setup, race, turn);
-            race.play();
-            if (copy != null) {
-                command(setup, copy, turn);
-                copy.play();
-                assertEquals(race.hash(), copy.hash(), "turn " + turn);
-            }
-        }
-    }
-
-    private static void command(GameSetup setup, Game race, int turn) {
-        for (int player = 0; player < race.players(); player++) {
-            byte[] line = setup.pilot(Pilot.Aim.GATHER).answer(race, player, new SplitMix64(10 * turn + player))
-                .getBytes(StandardCharsets.UTF_8);
-            assertNull(setup.codec(race).readAnswer(player, line, line.length));
-        }
-    }
-
     @Test
     void aTurnThatIsFlownAgainEndsWhereTheGameWent() {
         GameSetup setup = setup();

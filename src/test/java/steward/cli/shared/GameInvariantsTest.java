@@ -62,7 +62,9 @@ class GameInvariantsTest {
             SplitMix64 random = new SplitMix64(seed);
             while (!game.isOver() && game.turn() < mostTurns) {
                 String place = scene + ", " + rung + ", seed " + seed + ", turn " + (game.turn() + 1);
-                again = again.copy();
+                Game copied = again;
+                long before = copied.hash();
+                again = copied.copy();
                 for (int player = 0; player < game.players(); player++) {
                     if (game.isIn(player)) {
                         byte[] answer = pilot.answer(game, player, random).getBytes(StandardCharsets.UTF_8);
@@ -73,6 +75,7 @@ class GameInvariantsTest {
                 game.play();
                 again.play();
                 assertEquals(game.hash(), again.hash(), place + ": the copy");
+                assertEquals(before, copied.hash(), place + ": of whom the copy is");
                 check(game, place);
                 impacts += game.log().impacts();
                 turns++;

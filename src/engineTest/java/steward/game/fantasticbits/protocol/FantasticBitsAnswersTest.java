@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.game.CodecText;
 import steward.game.GameAnswers;
 import steward.game.GameSetup;
 import steward.game.fantasticbits.FantasticBits;
@@ -59,9 +60,7 @@ class FantasticBitsAnswersTest extends GameAnswers<FantasticBitsType.FantasticBi
             "0 OPPONENT_WIZARD 1000 5250 0 0 0"), puzzle.subList(0, 7));
         assertEquals((entities - 1) + " BLUDGER 8550 3750 0 0 -1", puzzle.get(puzzle.size() - 1));
         GameSetup contest = TestScenes.open("fantastic-bits-contest");
-        StringBuilder shorter = new StringBuilder();
-        contest.textCodec(contest.create(7)).orElseThrow().writeTurn(shorter, 1);
-        List<String> lines = shorter.toString().lines().toList();
+        List<String> lines = CodecText.turn(contest.textCodec(contest.create(7)).orElseThrow(), 1).lines().toList();
         assertEquals("" + entities, lines.get(0));
         assertEquals((entities - 1) + " BLUDGER 8550 3750 0 0 0", lines.get(lines.size() - 1));
     }

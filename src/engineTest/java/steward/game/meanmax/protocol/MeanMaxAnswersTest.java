@@ -8,6 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import steward.game.CodecText;
 import steward.game.GameAnswers;
 import steward.game.meanmax.LooterCommand;
 import steward.game.meanmax.MeanMax;
@@ -53,9 +54,7 @@ class MeanMaxAnswersTest extends GameAnswers<MeanMaxType.MeanMaxSetup, MeanMax> 
 
     @Test
     void aTurnIsWrittenAsTheSiteDoes() {
-        StringBuilder out = new StringBuilder();
-        text.writeSetup(out, 1);
-        assertEquals("", out.toString());
+        assertEquals("", CodecText.setup(text, 1));
         List<String> turn = turn(false).lines().toList();
         assertEquals(List.of("0", "0", "0", "0", "0", "0", Integer.toString(game.bodies().size())), turn.subList(0, 7));
         assertTrue(turn.get(7).startsWith("0 0 1 0.5 400 "), "the first looter of another player");

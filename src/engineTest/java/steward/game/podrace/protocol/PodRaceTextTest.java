@@ -3,19 +3,16 @@ package steward.game.podrace.protocol;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
-import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.game.CodecText;
 import steward.game.TextCodec;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 import steward.game.podrace.Recordings;
 import steward.match.TestScenes;
-import steward.scene.SceneFiles;
-import steward.scene.SceneReader;
-import steward.scene.SceneText;
 
 /** CodinGame's lines of the upper leagues, two pods a player: what bots see, and what they may answer. */
 class PodRaceTextTest {
@@ -31,21 +28,16 @@ class PodRaceTextTest {
     }
 
     private String turn(int player) {
-        StringBuilder out = new StringBuilder();
-        codec.writeTurn(out, player);
-        return out.toString();
+        return CodecText.turn(codec, player);
     }
 
     private String answer(String lines) {
-        byte[] bytes = lines.getBytes(StandardCharsets.UTF_8);
-        return codec.readAnswer(0, bytes, bytes.length);
+        return CodecText.read(codec, 0, lines);
     }
 
     @Test
     void theSetupIsLapsAndCheckpoints() {
-        StringBuilder out = new StringBuilder();
-        codec.writeSetup(out, 1);
-        assertEquals("3\n3\n3000 4500\n9000 4500\n9000 8000\n", out.toString());
+        assertEquals("3\n3\n3000 4500\n9000 4500\n9000 8000\n", CodecText.setup(codec, 1));
     }
 
     @Test
@@ -149,8 +141,7 @@ class PodRaceTextTest {
         PodRace strict = ((PodRaceType.PodRaceSetup) TestScenes.changed("mad-pod-racing", "\"rules\": \"live\"",
             "\"rules\": \"live\", \"commands\": \"site\"")).create(MAP);
         TextCodec lines = new PodRaceText(strict);
-        byte[] bytes = (line + "\n7 7 7").getBytes(StandardCharsets.UTF_8);
-        String wrong = lines.readAnswer(0, bytes, bytes.length);
+        String wrong = CodecText.read(lines, 0, line + "\n7 7 7");
         return wrong != null ? wrong : strict.targetX(0) + " " + strict.targetY(0) + " " + strict.thrust(0) + " "
             + lines.message(0);
     }
@@ -192,8 +183,7 @@ class PodRaceTextTest {
 
     @Test
     void aTargetThatIsNoWholeNumberIsAimedAtExactly() {
-        SceneText scene = SceneFiles.load("config/scenes/mad-pod-racing.json");
-        PodRace other = new PodRaceType().open(SceneReader.read(scene.text(), scene.source())).create(MAP);
+        PodRace other = Recordings.official().create(MAP);
         assertNull(answer("5000.25 4100.5 " + FULL + "\n5000 5000 0"));
         other.command(0, 5000.25, 4100.5, FULL);
         other.command(1, 5000, 5000, 0);

@@ -4,44 +4,32 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
-import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import steward.game.CodecText;
 import steward.game.podrace.PodRace;
-import steward.scene.SceneFiles;
-import steward.scene.SceneReader;
-import steward.scene.SceneText;
+import steward.game.podrace.Races;
 
 /** CodinGame's lines of the lower leagues, one pod a player, and the scene for them. */
 class SinglePodTextTest {
 
     private static final double[][] MAP = {{3000, 4500}, {9000, 4500}, {9000, 8000}};
 
-    private final PodRace race = silver().create(MAP);
+    private final PodRace race = Races.setup("mad-pod-racing-silver").create(MAP);
     private final PodRaceText codec = new PodRaceText(race);
 
-    private static PodRaceType.PodRaceSetup silver() {
-        SceneText text = SceneFiles.load("config/scenes/mad-pod-racing-silver.json");
-        return new PodRaceType().open(SceneReader.read(text.text(), text.source()));
-    }
-
     private String turn(int player) {
-        StringBuilder out = new StringBuilder();
-        codec.writeTurn(out, player);
-        return out.toString();
+        return CodecText.turn(codec, player);
     }
 
     private String answer(String line) {
-        byte[] bytes = line.getBytes(StandardCharsets.UTF_8);
-        return codec.readAnswer(0, bytes, bytes.length);
+        return CodecText.read(codec, 0, line);
     }
 
     @Test
     void thereIsNoSetupAndOneLineIsAnswered() {
-        StringBuilder out = new StringBuilder();
-        codec.writeSetup(out, 0);
-        assertEquals("", out.toString());
+        assertEquals("", CodecText.setup(codec, 0));
         assertEquals(1, codec.answerLines(0));
     }
 

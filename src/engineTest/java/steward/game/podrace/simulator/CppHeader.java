@@ -21,6 +21,7 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.TestReporter;
 import steward.game.podrace.PodState;
+import steward.game.podrace.Races;
 import steward.game.podrace.RulesEdition;
 
 /**
@@ -222,9 +223,7 @@ public final class CppHeader implements AutoCloseable {
     }
 
     private static PodState[] pods(PodRaceSimulator race) {
-        return IntStream.range(0, PODS).mapToObj(pod -> new PodState(race.x(pod), race.y(pod), race.vx(pod),
-            race.vy(pod), race.heading(pod), race.shieldTimer(pod), race.boostLeft(pod), race.passed(pod)))
-            .toArray(PodState[]::new);
+        return IntStream.range(0, PODS).mapToObj(pod -> Races.state(race, pod)).toArray(PodState[]::new);
     }
 
     private void send() {

@@ -12,12 +12,13 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.GameSetup;
 import steward.game.podrace.PodRace;
+import steward.game.podrace.Races;
 import steward.game.podrace.TurnKernel;
 import steward.game.podrace.protocol.PodRaceType.PodRaceSetup;
 import steward.match.TestScenes;
 import steward.numerics.SplitMix64;
 import steward.physics.TurnLog;
-import steward.physics.event.EventAdvance;
+import steward.physics.event.Scenes;
 
 /**
  * Races as matches play them against the general way with the event loop of every scene, bit for bit: every hash, and
@@ -74,8 +75,7 @@ class MatchTurnTest {
         long impacts = 0;
         for (long game = 0; turns < TURNS; game++) {
             PodRace fast = setup.create(game);
-            PodRace plain = new PodRace(setup.settings(), setup.scene(), setup.plan(), fast.checkpoints(),
-                new EventAdvance(setup.plan().physics(null)));
+            PodRace plain = Races.plain(setup, fast.checkpoints());
             boolean brawl = random.nextInt(2) == 0;
             while (!plain.isOver()) {
                 for (int pod = 0; pod < setup.settings().pods(); pod++) {
@@ -92,7 +92,8 @@ class MatchTurnTest {
                 String where = "seed " + SEED + ", game " + game + ", turn " + plain.turn();
                 int question = random.nextInt(4);
                 if (question == 0) {
-                    impacts += checkLog(plain.log(), fast.log(), where);
+                    Scenes.assertSameLog(plain.log(), fast.log(), () -> where);
+                    impacts += plain.log().impacts();
                 } else if (question == 1) {
                     fast = fast.copy();
                 }
@@ -103,21 +104,6 @@ class MatchTurnTest {
             assertEquals(plain.ending(), fast.ending());
         }
         assertTrue(impacts > 0 || setup.settings().pods() == 1, "no impacts");
-    }
-
-    private static int checkLog(TurnLog plain, TurnLog fast, String where) {
-        assertEquals(plain.impacts(), fast.impacts(), where);
-        assertEquals(plain.knots(), fast.knots(), where);
-        for (int k = 0; k < plain.impacts(); k++) {
-            assertEquals(plain.impact(k), fast.impact(k), where);
-        }
-        for (int k = 0; k < plain.knots(); k++) {
-            assertEquals(plain.knotBody(k), fast.knotBody(k), where);
-            assertEquals(plain.knotTime(k), fast.knotTime(k), where);
-            assertEquals(plain.knotX(k), fast.knotX(k), where);
-            assertEquals(plain.knotY(k), fast.knotY(k), where);
-        }
-        return plain.impacts();
     }
 
     private static void command(PodRace plain, PodRace fast, int pod, boolean brawl, SplitMix64 random) {

@@ -5,6 +5,8 @@ import java.util.regex.Pattern;
 import steward.game.Comparison;
 import steward.game.VectorMatch;
 import steward.game.podrace.PodState;
+import steward.game.podrace.Races;
+import steward.game.podrace.Recordings;
 import steward.game.podrace.RulesEdition;
 import steward.game.podrace.simulator.CppHeader;
 import steward.game.podrace.simulator.PodCommands;
@@ -62,9 +64,7 @@ final class SimulatedVectors {
 
     private boolean set(PodRaceSimulator race, JsonNode state) {
         for (JsonNode pod : state.get("pods")) {
-            PodState of = PodRaceReplay.state(pod);
-            race.setPod(pod.get("id").asInt(), of.x(), of.y(), of.vx(), of.vy(), of.heading(), of.shieldTimer(), true,
-                of.passed());
+            Races.put(race, pod.get("id").asInt(), PodRaceReplay.state(pod));
         }
         for (JsonNode player : state.get("players")) {
             race.setTurnsLeft(player.get("id").asInt(), player.get("turnsLeft").asInt());
@@ -92,18 +92,11 @@ final class SimulatedVectors {
                 if (!words.matches()) {
                     return false;
                 }
-                double x = Double.parseDouble(words.group(1));
-                double y = Double.parseDouble(words.group(2));
-                if (words.group(3).equals("SHIELD")) {
-                    commands.set(pod, x, y, PodCommands.SHIELD);
-                } else {
-                    int thrust = Integer.parseInt(words.group(3));
-                    if (thrust > 200) {
-                        return false;
-                    }
-                    commands.set(pod, x, y, thrust);
+                Recordings.Command command = Recordings.command(words.group(1), words.group(2), words.group(3));
+                if (command.thrust() > 200) {
+                    return false;
                 }
-                pod++;
+                commands.set(pod++, command.x(), command.y(), command.thrust());
             }
         }
         return true;

@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import steward.game.CodecText;
 import steward.game.GameJson;
 import steward.game.TextCodec;
 import steward.game.searchrace.SearchRace;
@@ -21,13 +22,11 @@ class SearchRaceAnswerTest {
     private final TextCodec text = SearchRaces.changed().textCodec(race).orElseThrow();
 
     private String read(String line) {
-        byte[] bytes = line.getBytes(StandardCharsets.UTF_8);
-        return codec.readAnswer(0, bytes, bytes.length);
+        return CodecText.read(codec, 0, line);
     }
 
     private String readText(String line) {
-        byte[] bytes = line.getBytes(StandardCharsets.UTF_8);
-        return text.readAnswer(0, bytes, bytes.length);
+        return CodecText.read(text, 0, line);
     }
 
     @Test
@@ -91,28 +90,20 @@ class SearchRaceAnswerTest {
     /** Asked for with one message, told from the next turn on; a turn without a pass says 2.0, as Java prints it. */
     @Test
     void aMessageWithDebugAsksForTimes() {
-        StringBuilder out = new StringBuilder();
-        text.writeTurn(out, 0);
-        assertEquals("0 0 0 0 0 0\n", out.toString());
+        assertEquals("0 0 0 0 0 0\n", CodecText.turn(text, 0));
         assertNull(readText("5000 0 200 no debug now"));
         assertEquals("no debug now", text.message(0));
         assertTrue(race.asksForTimes());
         race.play();
-        out.setLength(0);
-        text.writeTurn(out, 0);
-        assertEquals("0 200 0 170 0 0\n2.0\n", out.toString());
+        assertEquals("0 200 0 170 0 0\n2.0\n", CodecText.turn(text, 0));
         race.set(4300, 0, 400, 0, 0, 0, 10, 2);
         assertNull(readText("EXPERT 0 0"));
         race.play();
-        out.setLength(0);
-        text.writeTurn(out, 0);
-        assertEquals("1 4700 0 340 0 0\n0.25\n", out.toString());
+        assertEquals("1 4700 0 340 0 0\n0.25\n", CodecText.turn(text, 0));
     }
 
     @Test
     void theSetupIsTheWholeWay() {
-        StringBuilder out = new StringBuilder();
-        text.writeSetup(out, 0);
-        assertEquals("9\n" + "5000 0\n10000 0\n0 0\n".repeat(3), out.toString());
+        assertEquals("9\n" + "5000 0\n10000 0\n0 0\n".repeat(3), CodecText.setup(text, 0));
     }
 }

@@ -1,17 +1,14 @@
 package steward.game.searchrace.protocol;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.game.CodecText;
 import steward.game.GameSetup;
 import steward.game.Pilot;
 import steward.game.TurnEvent;
@@ -33,8 +30,7 @@ class SearchRaceTest {
     }
 
     private static void command(GameSetup setup, SearchRace game, SplitMix64 random) {
-        byte[] line = setup.pilot(Pilot.Aim.WIN).answer(game, 0, random).getBytes(StandardCharsets.UTF_8);
-        assertEquals(null, setup.codec(game).readAnswer(0, line, line.length));
+        assertEquals(null, CodecText.read(setup.codec(game), 0, setup.pilot(Pilot.Aim.WIN).answer(game, 0, random)));
     }
 
     /** 200 to the right, 85% of 200 kept; then 170 + 200 more, and 85% of 370 is 314.5, cut to 314. */
@@ -185,43 +181,6 @@ class SearchRaceTest {
             }
             assertEquals(one.scores()[0], other.scores()[0], "seed " + seed);
         }
-    }
-
-    @Test
-    void aCopyGoesOnAlike() {
-        GameSetup setup = SearchRaces.changed();
-        SearchRace one = (SearchRace) setup.create(12);
-        SearchRace copy = null;
-        for (int turn = 0; turn < 120 && !one.isOver(); turn++) {
-            copy = turn == 60 ? one.copy() : copy;
-            command(setup, one, new SplitMix64(turn));
-            one.play();
-            if (copy != null) {
-                command(setup, copy, new SplitMix64(turn));
-                copy.play();
-                assertEquals(one.hash(), copy.hash(), "turn " + turn);
-            }
-        }
-        assertFalse(copy == null);
-    }
-
-    /** Counted by the JVM, to the byte: turns without a checkpoint, whose mark is an event. */
-    @Test
-    void aTurnAllocatesNothing() {
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        long least = Long.MAX_VALUE;
-        for (int round = 0; round < 5; round++) {
-            SearchRace alone = SearchRaces.onMap("0 0;5000 0");
-            long before = threads.getCurrentThreadAllocatedBytes();
-            for (int turn = 0; turn < 500; turn++) {
-                alone.toward(-3000 * (turn % 7), 500 * (turn % 5), turn % 200);
-                alone.play();
-                alone.hash();
-                alone.set(0, 2000, 0, 0, 0, 0, 10, 2);
-            }
-            least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
-        }
-        assertEquals(0, least);
     }
 
     @Test

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.podrace.Headings;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
+import steward.game.podrace.Races;
 import steward.game.podrace.Recordings;
 import steward.numerics.SplitMix64;
 import steward.numerics.StrictAngles;
@@ -35,9 +36,6 @@ class CommandsByAngleTest {
     private final SplitMix64 random = new SplitMix64(17);
     private final RandomTurns turns = new RandomTurns(18);
     private final PodRaceSimulator fast = new PodRaceSimulator(MAP);
-    private final double[] x = new double[4];
-    private final double[] y = new double[4];
-    private final double[] heading = new double[4];
 
     /** Some pods by angle, some by target. */
     @Test
@@ -49,8 +47,7 @@ class CommandsByAngleTest {
             turns.put(fast);
             turns.put(textbook);
             for (int turn = 0; turn < 8; turn++) {
-                look();
-                turns.commands(x, y, heading);
+                turns.commands(fast);
                 for (int pod = 0; pod < 4; pod++) {
                     int thrust = turns.commands.thrust(pod);
                     if (random.nextInt(3) > 0) {
@@ -62,14 +59,12 @@ class CommandsByAngleTest {
                 fast.play(turns.commands);
                 turns.play(textbook);
                 for (int pod = 0; pod < 4; pod++) {
-                    TextbookPodRace.Pod expected = textbook.pod(pod);
                     // A heading that is not read stays deferred, so that chains grow.
-                    double angle = (game + turn) % 3 == 0 ? fast.heading(pod) : expected.heading;
+                    double angle = (game + turn) % 3 == 0 ? fast.heading(pod) : textbook.pod(pod).heading;
                     int number = game;
                     int count = turn;
                     Supplier<String> where = () -> "game " + number + " turn " + count + " from " + turns.text();
-                    assertEquals(new PodState(expected.x, expected.y, expected.vx, expected.vy, expected.heading,
-                        expected.shieldTimer, expected.boostLeft, expected.passed), state(fast, pod, angle), where);
+                    assertEquals(Races.state(textbook, pod), Races.state(fast, pod, angle), where);
                 }
             }
         }
@@ -91,8 +86,7 @@ class CommandsByAngleTest {
             turns.put(race);
             PodRaceSimulator asked = new PodRaceSimulator(MAP);
             for (int turn = 0; turn < 60 && !race.isOver(); turn++) {
-                look();
-                turns.commands(x, y, heading);
+                turns.commands(fast);
                 asked.copyFrom(fast);                  // so that asking for the target leaves the headings deferred
                 for (int pod = 0; pod < 4; pod++) {
                     double degrees = DEGREES[random.nextInt(FULL)];
@@ -106,7 +100,7 @@ class CommandsByAngleTest {
                     double angle = turn % 50 == 49 ? fast.heading(pod) : race.heading(pod);
                     int number = game;
                     int count = turn;
-                    assertEquals(race.pod(pod), state(fast, pod, angle), () -> "game " + number + " turn " + count
+                    assertEquals(race.pod(pod), Races.state(fast, pod, angle), () -> "game " + number + " turn " + count
                         + " from " + turns.text());
                 }
             }
@@ -164,7 +158,7 @@ class CommandsByAngleTest {
         fast.play(commands);
         for (int pod = 0; pod < 4; pod++) {
             assertEquals(new PodState(start.x(pod), start.y(pod), 0, 0, Double.NaN, pod == 3 ? 4 : 0, true, 0),
-                state(fast, pod, fast.heading(pod)));
+                Races.state(fast, pod, fast.heading(pod)));
         }
     }
 
@@ -225,18 +219,5 @@ class CommandsByAngleTest {
         do {
             turns.state();
         } while (!(Math.abs(turns.x[0]) + Math.abs(turns.x[1]) + Math.abs(turns.x[2]) + Math.abs(turns.x[3]) < 1e6));
-    }
-
-    private void look() {
-        for (int pod = 0; pod < 4; pod++) {
-            x[pod] = fast.x(pod);
-            y[pod] = fast.y(pod);
-            heading[pod] = Math.atan2(fast.directionY(pod), fast.directionX(pod));
-        }
-    }
-
-    private static PodState state(PodRaceSimulator race, int pod, double heading) {
-        return new PodState(race.x(pod), race.y(pod), race.vx(pod), race.vy(pod), heading, race.shieldTimer(pod),
-            race.boostLeft(pod), race.passed(pod));
     }
 }

@@ -151,7 +151,8 @@ class CppHeaderTest {
             race.setTurnsLeft(0, LEFT);
             header.state(race);
             for (int turn = random.turns(); turn > 0 && fits(race); turn--, turns++) {
-                random.commands(numbers(race::x), numbers(race::y), numbers(race::heading));
+                random.commands(RandomTurns.numbers(race::x), RandomTurns.numbers(race::y),
+                    RandomTurns.numbers(race::heading));
                 for (int pod = 0; pod < PODS; pod++) {
                     if (choice.nextInt(3) != 0) {
                         double degrees = choice.nextInt(4) == 0 ? choice.nextDouble() * 40 - 20
@@ -169,10 +170,6 @@ class CppHeaderTest {
     private static boolean fits(PodRaceSimulator race) {
         return IntStream.range(0, PODS).allMatch(pod -> CppHeader.fits(race.x(pod), race.y(pod), race.vx(pod),
             race.vy(pod)));
-    }
-
-    private static double[] numbers(java.util.function.IntToDoubleFunction of) {
-        return IntStream.range(0, PODS).mapToDouble(of).toArray();
     }
 
     /** The whole games of 2016. */
@@ -210,7 +207,7 @@ class CppHeaderTest {
             for (String line : Files.readAllLines(file)) {
                 String[] words = line.trim().split(" +");
                 if (words[0].equals("CHECKPOINTS") || words[0].equals("P")) {
-                    map = map(words);
+                    map = Recordings.map(words);
                     race = null;
                 } else if (words[0].equals("S")) {
                     race = race(map, words, name.equals("live_edges.txt") ? 1 : 2);
@@ -229,21 +226,10 @@ class CppHeaderTest {
         header.assertNothingDiffers();
     }
 
-    private static double[][] map(String[] words) {
-        double[][] map = new double[words.length / 2][];
-        Arrays.setAll(map, k -> new double[] {Double.parseDouble(words[1 + 2 * k]),
-            Double.parseDouble(words[2 + 2 * k])});
-        return map;
-    }
-
     private static PodRaceSimulator race(double[][] map, String[] words, int from) {
         PodRaceSimulator race = new PodRaceSimulator(map);
         for (int pod = 0; pod < PODS; pod++) {
-            double[] row = new double[7];
-            for (int k = 0; k < row.length; k++) {
-                String word = words[from + row.length * pod + k];
-                row[k] = word.equals("null") ? Double.NaN : Double.parseDouble(word);
-            }
+            double[] row = Recordings.rows(words, from)[pod];
             race.setPod(pod, row[0], row[1], row[2], row[3], row[4], row[5] == 1 ? 4 : 0, true,
                 (int) (row[6] + map.length - 1) % map.length);
         }
@@ -253,10 +239,8 @@ class CppHeaderTest {
     private static PodCommands commands(String[] words) {
         PodCommands commands = new PodCommands(PODS);
         for (int pod = 0; pod < PODS; pod++) {
-            String word = words[3 + 3 * pod];
-            commands.set(pod, Double.parseDouble(words[1 + 3 * pod]), Double.parseDouble(words[2 + 3 * pod]),
-                word.equals("SHIELD") ? PodCommands.SHIELD : word.equals("BOOST") ? PodCommands.BOOST
-                : Integer.parseInt(word));
+            Recordings.Command command = Recordings.command(words[1 + 3 * pod], words[2 + 3 * pod], words[3 + 3 * pod]);
+            commands.set(pod, command.x(), command.y(), command.thrust());
         }
         return commands;
     }

@@ -11,11 +11,11 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
+import steward.game.podrace.Races;
 import steward.game.podrace.Recordings;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.match.TestSize;
-import steward.physics.TurnLog;
-import steward.physics.event.EventAdvance;
+import steward.physics.event.Scenes;
 
 /**
  * The simulator against the plain kernel (the event loop of every scene, all pairs each time) and against the textbook
@@ -31,14 +31,6 @@ class PodRaceSimulatorTest {
 
     private final PodRaceType.PodRaceSetup setup = Recordings.official();
     private final RandomTurns random = new RandomTurns(SEED);
-    private final double[] x = new double[4];
-    private final double[] y = new double[4];
-    private final double[] heading = new double[4];
-
-    private PodRace plain(double[][] map) {
-        return new PodRace(setup.settings(), setup.scene(), setup.plan(), map,
-            new EventAdvance(setup.plan().physics(null)));
-    }
 
     @Test
     @Tag("sized")
@@ -60,7 +52,7 @@ class PodRaceSimulatorTest {
                 map = random.map();
                 fast = new PodRaceSimulator(map);
             }
-            PodRace plain = plain(map);
+            PodRace plain = Races.plain(setup, map);
             PodRace shipped = setup.create(map);
             TextbookPodRace textbook = new TextbookPodRace(map, 4);
             fast.setRecorded(game % 2 == 0);
@@ -73,8 +65,7 @@ class PodRaceSimulatorTest {
             random.put(textbook);
             int length = random.turns();
             for (int turn = 0; turn < length && !plain.isOver(); turn++, turns++) {
-                look(fast);
-                random.commands(x, y, heading);
+                random.commands(fast);
                 random.give(plain);
                 random.give(shipped);
                 passes -= passed(fast);
@@ -91,9 +82,9 @@ class PodRaceSimulatorTest {
                 }
                 compare(fast, plain, where);
                 assertEquals(plain.hash(), shipped.hash(), where);
-                compareImpacts(plain.log(), shipped.log(), where);
+                Scenes.assertSameLog(plain.log(), shipped.log(), where);
                 if (game % 2 == 0) {
-                    compareImpacts(plain.log(), fast.log(), where);
+                    Scenes.assertSameLog(plain.log(), fast.log(), where);
                 }
                 impacts += plain.log().impacts();
                 most = Math.max(most, plain.log().impacts());
@@ -107,23 +98,13 @@ class PodRaceSimulatorTest {
         assertTrue(impacts > wanted / 10 && passes > wanted / 200, "too little happened");
     }
 
-    private void look(PodRaceSimulator race) {
-        for (int pod = 0; pod < 4; pod++) {
-            x[pod] = race.x(pod);
-            y[pod] = race.y(pod);
-            heading[pod] = Math.atan2(race.directionY(pod), race.directionX(pod));
-        }
-    }
-
     private static long passed(PodRaceSimulator race) {
         return race.passed(0) + race.passed(1) + race.passed(2) + race.passed(3);
     }
 
     private static void compare(TextbookPodRace textbook, PodRace plain, Supplier<String> where) {
         for (int k = 0; k < 4; k++) {
-            TextbookPodRace.Pod pod = textbook.pod(k);
-            assertEquals(plain.pod(k), new PodState(pod.x, pod.y, pod.vx, pod.vy, pod.heading, pod.shieldTimer,
-                pod.boostLeft, pod.passed), () -> "textbook, " + where.get());
+            assertEquals(plain.pod(k), Races.state(textbook, k), () -> "textbook, " + where.get());
         }
     }
 
@@ -132,8 +113,7 @@ class PodRaceSimulatorTest {
             PodState expected = plain.pod(k);
             // Half of the time the recipe of a heading stays as it is, so that chains grow.
             double angle = fast.shieldTimer(k) % 2 == 0 || fast.x(k) % 2 == 0 ? fast.heading(k) : expected.heading();
-            assertEquals(expected, new PodState(fast.x(k), fast.y(k), fast.vx(k), fast.vy(k), angle,
-                fast.shieldTimer(k), fast.boostLeft(k), fast.passed(k)), () -> "simulator, " + where.get());
+            assertEquals(expected, Races.state(fast, k, angle), () -> "simulator, " + where.get());
             if (!plain.isOver()) {                     // behind the finish the simulator counts on
                 assertEquals(plain.nextCheckpoint(k), fast.nextCheckpoint(k), where);
             }
@@ -141,20 +121,6 @@ class PodRaceSimulatorTest {
         }
         for (int player = 0; player < 2; player++) {
             assertEquals(plain.turnsLeft(player), fast.turnsLeft(player), where);
-        }
-    }
-
-    static void compareImpacts(TurnLog expected, TurnLog found, Supplier<String> where) {
-        assertEquals(expected.impacts(), found.impacts(), where);
-        for (int k = 0; k < expected.kept(); k++) {
-            assertEquals(expected.impact(k), found.impact(k), where);
-        }
-        assertEquals(expected.knots(), found.knots(), where);
-        for (int k = 0; k < expected.knots(); k++) {
-            assertEquals(expected.knotBody(k), found.knotBody(k), where);
-            assertEquals(expected.knotTime(k), found.knotTime(k), where);
-            assertEquals(expected.knotX(k), found.knotX(k), where);
-            assertEquals(expected.knotY(k), found.knotY(k), where);
         }
     }
 }

@@ -14,12 +14,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
+import steward.game.podrace.Races;
 import steward.game.podrace.protocol.PodRaceType;
+import steward.match.TestScenes;
 import steward.match.TestSize;
-import steward.physics.event.EventAdvance;
-import steward.scene.SceneFiles;
+import steward.physics.event.Scenes;
 import steward.scene.SceneReader;
-import steward.scene.SceneText;
 
 /**
  * The simulator against the plain kernel on {@link EdgeTurns}, for one player up to as many as fit: every number and
@@ -34,15 +34,9 @@ class PodTurnEdgesTest {
     private static final double[][] MAP = {{3000, 3000}, {0, 0}, {32768, 700}, {0, 0}, {8000, 0}};
 
     private static PodRaceType.PodRaceSetup setup(int players, int podsPerPlayer) {
-        SceneText text = SceneFiles.load("mad-pod-racing");
-        String changed = text.text().replace("\"players\": 2", "\"players\": " + players)
-            .replace("\"perPlayer\": 2", "\"perPlayer\": " + podsPerPlayer);
-        return new PodRaceType().open(SceneReader.read(changed, text.source()));
-    }
-
-    private static PodRace plain(PodRaceType.PodRaceSetup setup) {
-        return new PodRace(setup.settings(), setup.scene(), setup.plan(), MAP,
-            new EventAdvance(setup.plan().physics(null)));
+        return new PodRaceType().open(SceneReader.read(TestScenes.text("mad-pod-racing")
+            .replace("\"players\": 2", "\"players\": " + players)
+            .replace("\"perPlayer\": 2", "\"perPlayer\": " + podsPerPlayer), "mad-pod-racing"));
     }
 
     @ParameterizedTest
@@ -67,7 +61,7 @@ class PodTurnEdgesTest {
         long impacts = 0;
         long limited = 0;
         for (long turns = 0; turns < most;) {
-            PodRace plain = plain(setup);
+            PodRace plain = Races.plain(setup, MAP);
             edges.state();
             boolean recorded = fast.x(0) % 2 == 0;
             fast.setRecorded(recorded);
@@ -85,7 +79,7 @@ class PodTurnEdgesTest {
                 Supplier<String> where = () -> "turn " + number + " from " + start + commands(edges.commands, pods);
                 compare(plain, fast, pods, where);
                 if (recorded) {
-                    PodRaceSimulatorTest.compareImpacts(plain.log(), fast.log(), where);
+                    Scenes.assertSameLog(plain.log(), fast.log(), where);
                 }
                 impacts += plain.log().impacts();
                 limited += plain.log().limited() ? 1 : 0;
@@ -103,8 +97,7 @@ class PodTurnEdgesTest {
         for (int pod = 0; pod < fast.pods(); pod++) {
             plain.setPod(pod, new PodState(edges.x[pod], edges.y[pod], edges.vx[pod], edges.vy[pod], edges.heading[pod],
                 edges.timer[pod], pod % 2 == 0, pod));
-            fast.setPod(pod, edges.x[pod], edges.y[pod], edges.vx[pod], edges.vy[pod], edges.heading[pod],
-                edges.timer[pod], pod % 2 == 0, pod);
+            Races.put(fast, pod, plain.pod(pod));
             fast.setTurnsLeft(fast.playerOf(pod), turnsLeft);
         }
     }
@@ -113,8 +106,7 @@ class PodTurnEdgesTest {
         for (int k = 0; k < pods; k++) {
             // Every second time the recipe of a heading stays as it is, so that chains grow.
             double heading = k % 2 == 0 || plain.turn() % 2 == 0 ? plain.heading(k) : fast.heading(k);
-            assertEquals(plain.pod(k), new PodState(fast.x(k), fast.y(k), fast.vx(k), fast.vy(k), heading,
-                fast.shieldTimer(k), fast.boostLeft(k), fast.passed(k)), where);
+            assertEquals(plain.pod(k), Races.state(fast, k, heading), where);
         }
         for (int player = 0; player < plain.players(); player++) {
             assertEquals(plain.turnsLeft(player), fast.turnsLeft(player), where);
@@ -142,7 +134,7 @@ class PodTurnEdgesTest {
     @Test
     void aHardlyPerceptibleSpeedIsComputedAsThePlainKernelDoes() {
         PodRaceType.PodRaceSetup setup = setup(2, 2);
-        PodRace plain = plain(setup);
+        PodRace plain = Races.plain(setup, MAP);
         PodRaceSimulator fast = new PodRaceSimulator(MAP);
         fast.setRecorded(true);
         PodState[] pods = {new PodState(6, 0, 5, 2, 2.0849711874114156, 0, false, 14),
@@ -152,10 +144,8 @@ class PodTurnEdgesTest {
             {9512.565162951536, 3096.169943749474, 189}};
         PodCommands given = new PodCommands(4);
         for (int pod = 0; pod < 4; pod++) {
-            PodState state = pods[pod];
-            plain.setPod(pod, state);
-            fast.setPod(pod, state.x(), state.y(), state.vx(), state.vy(), state.heading(), state.shieldTimer(),
-                state.boostLeft(), state.passed());
+            plain.setPod(pod, pods[pod]);
+            Races.put(fast, pod, pods[pod]);
             plain.command(pod, commands[pod][0], commands[pod][1], (int) commands[pod][2]);
             given.set(pod, commands[pod][0], commands[pod][1], (int) commands[pod][2]);
         }
@@ -164,6 +154,6 @@ class PodTurnEdgesTest {
         fast.play(given);
 
         assertTrue(plain.log().impacts() > 0);
-        PodRaceSimulatorTest.compareImpacts(plain.log(), fast.log(), () -> "tiny speed");
+        Scenes.assertSameLog(plain.log(), fast.log(), () -> "tiny speed");
     }
 }

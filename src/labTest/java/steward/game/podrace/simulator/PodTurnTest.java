@@ -118,24 +118,17 @@ class PodTurnTest {
 
     private static void put(PodRaceSimulator fast, TextbookPodRace textbook, int k, double x, double y, double vx,
                             double vy, double heading) {
-        fast.setPod(k, x, y, vx, vy, heading, 0, true, 0);
-        TextbookPodRace.Pod pod = textbook.pod(k);
-        pod.x = x;
-        pod.y = y;
-        pod.vx = vx;
-        pod.vy = vy;
-        pod.heading = heading;
-        pod.shieldTimer = 0;
-        pod.boostLeft = true;
-        pod.passed = 0;
+        PodState state = new PodState(x, y, vx, vy, heading, 0, true, 0);
+        Races.put(fast, k, state);
+        Races.put(textbook, k, state);
     }
 
     private static int playAndCompare(PodRaceSimulator fast, TextbookPodRace textbook, PodCommands commands) {
         fast.play(commands);
         textbook.play(commands.targetX, commands.targetY, commands.thrust);
         for (int k = 0; k < 4; k++) {
-            TextbookPodRace.Pod pod = textbook.pod(k);
-            assertEquals(List.of(pod.x, pod.y, pod.vx, pod.vy, pod.heading),
+            PodState expected = Races.state(textbook, k);
+            assertEquals(List.of(expected.x(), expected.y(), expected.vx(), expected.vy(), expected.heading()),
                 List.of(fast.x(k), fast.y(k), fast.vx(k), fast.vy(k), fast.heading(k)));
         }
         return 1;

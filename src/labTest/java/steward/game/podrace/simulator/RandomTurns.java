@@ -1,8 +1,10 @@
 package steward.game.podrace.simulator;
 
-import java.util.Arrays;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
+import steward.game.podrace.Races;
 import steward.numerics.SplitMix64;
 
 /**
@@ -116,6 +118,16 @@ final class RandomTurns {
         };
     }
 
+    /** Draws new commands for the pods of a simulator, whose headings stay deferred. */
+    void commands(PodRaceSimulator race) {
+        commands(numbers(race::x), numbers(race::y),
+            numbers(pod -> Math.atan2(race.directionY(pod), race.directionX(pod))));
+    }
+
+    static double[] numbers(IntToDoubleFunction of) {
+        return IntStream.range(0, PODS).mapToDouble(of).toArray();
+    }
+
     /** Draws new commands for pods at these places with these headings. */
     void commands(double[] atX, double[] atY, double[] heads) {
         for (int pod = 0; pod < PODS; pod++) {
@@ -168,31 +180,26 @@ final class RandomTurns {
         }
     }
 
+    private PodState state(int pod) {
+        return new PodState(x[pod], y[pod], vx[pod], vy[pod], heading[pod], timer[pod], boost[pod], passed[pod]);
+    }
+
     void put(PodRaceSimulator race) {
         for (int pod = 0; pod < PODS; pod++) {
-            race.setPod(pod, x[pod], y[pod], vx[pod], vy[pod], heading[pod], timer[pod], boost[pod], passed[pod]);
+            Races.put(race, pod, state(pod));
         }
     }
 
     void put(PodRace race) {
         for (int pod = 0; pod < PODS; pod++) {
-            race.setPod(pod, new PodState(x[pod], y[pod], vx[pod], vy[pod], heading[pod], timer[pod], boost[pod],
-                passed[pod]));
+            race.setPod(pod, state(pod));
         }
     }
 
     void put(TextbookPodRace race) {
-        for (int k = 0; k < PODS; k++) {
-            TextbookPodRace.Pod pod = race.pod(k);
-            pod.x = x[k];
-            pod.y = y[k];
-            pod.vx = vx[k];
-            pod.vy = vy[k];
-            pod.heading = heading[k];
-            pod.shieldTimer = timer[k];
-            pod.mass = timer[k] == 4 ? 10 : 1;
-            pod.boostLeft = boost[k];
-            pod.passed = passed[k];
+        for (int pod = 0; pod < PODS; pod++) {
+            Races.put(race, pod, state(pod));
+            race.pod(pod).mass = timer[pod] == 4 ? 10 : 1;
         }
     }
 
@@ -209,9 +216,8 @@ final class RandomTurns {
     String text() {
         StringBuilder text = new StringBuilder();
         for (int k = 0; k < PODS; k++) {
-            text.append("\npod ").append(k).append(": ").append(Arrays.toString(new double[] {x[k], y[k], vx[k], vy[k],
-                heading[k], timer[k], boost[k] ? 1 : 0, passed[k], commands.targetX(k), commands.targetY(k),
-                commands.thrust(k)}));
+            text.append('\n').append(k).append(": ").append(state(k)).append(" to ").append(commands.targetX(k))
+                .append(' ').append(commands.targetY(k)).append(' ').append(commands.thrust(k));
         }
         return text.toString();
     }
