@@ -17,6 +17,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.cli.options.SandboxOptions;
@@ -29,6 +31,7 @@ import steward.cli.options.SandboxOptions;
  */
 @Tag("process")
 @Tag("slow")
+@Execution(ExecutionMode.CONCURRENT)
 class OutputTableTest {
 
     private static final List<String> FILES = List.of("bodies", "failures", "league", "leagues", "match", "matches",

@@ -16,6 +16,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.api.parallel.ResourceLock;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -31,6 +33,7 @@ import steward.scene.SceneFiles;
  * body is {@code EveryScenePageTest}'s. That every starter plays, and is shown, is {@code NewCommandTest}'s and {@code
  * StarterPageTest}'s.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class SecondStepTest {
 
     /** Folders of the pages that the program writes; that of the toolkit's viewer needs a player of CodinGame. */

@@ -8,6 +8,8 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.cli.Cli;
@@ -15,6 +17,7 @@ import tools.jackson.databind.JsonNode;
 
 /** Each command that prints a table prints it as one JSON object too; some have further tests of their own. */
 @Tag("slow")
+@Execution(ExecutionMode.CONCURRENT)
 class JsonOfTablesTest {
 
     @TempDir

@@ -8,6 +8,8 @@ import java.math.BigDecimal;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.lab.oracle.OracleProjection.Condition;
@@ -25,6 +27,7 @@ import steward.physics.Wall;
 import steward.physics.event.EventAdvance;
 
 /** Heaps at rest in the oracle, against closed forms and against the exact rung, which computes them in another way. */
+@Execution(ExecutionMode.CONCURRENT)
 class OracleHeapTest {
 
     private static final BigDecimal TINY = new BigDecimal("1e-30");

@@ -21,6 +21,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import picocli.CommandLine;
 import steward.cli.Cli;
 import steward.cli.Main;
@@ -34,6 +36,7 @@ import steward.league.store.MadeUpGames;
 import steward.machines.token.SharedBrokerKey;
 
 /** The commands of a league that play nothing. */
+@Execution(ExecutionMode.CONCURRENT)
 class LeagueCommandTest {
 
     @TempDir

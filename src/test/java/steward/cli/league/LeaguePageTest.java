@@ -13,6 +13,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.api.parallel.ResourceLock;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
@@ -27,6 +29,7 @@ import steward.replay.page.PageTestBrowser;
 @Tag("slow")
 @Timeout(300)
 @ResourceLock(PageTestBrowser.LOCK)
+@Execution(ExecutionMode.CONCURRENT)
 class LeaguePageTest {
 
     private static final int GAMES = 12;

@@ -17,6 +17,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.command.ProgramFinder;
 import steward.cli.Cli;
 import steward.cli.shared.ExitStatus;
@@ -24,6 +26,7 @@ import steward.cli.shared.ExitStatus;
 /** Games of referees of their own, played by a small host that is not Steward's, imported and played again. */
 @Tag("process")
 @Timeout(120)
+@Execution(ExecutionMode.CONCURRENT)
 class GuestImportTest {
 
     private static final Path REFEREES = Path.of("src/test/resources/referees").toAbsolutePath();

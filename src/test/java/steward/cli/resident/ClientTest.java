@@ -15,7 +15,6 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
@@ -27,6 +26,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.TextShellBots;
 import steward.match.TestSize;
 import steward.scene.SceneFiles;
@@ -34,6 +35,7 @@ import steward.scene.SceneFiles;
 /** The compiled clients, {@code steward-referee} and {@code steward-play}, and the residents that they start. */
 @Tag("process")
 @Tag("slow")
+@Execution(ExecutionMode.CONCURRENT)
 class ClientTest {
 
     private static final String REFEREE = "bin/steward-referee";

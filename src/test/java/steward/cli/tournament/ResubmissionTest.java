@@ -18,6 +18,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
 import steward.files.Folders;
@@ -30,6 +32,7 @@ import tools.jackson.databind.JsonNode;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
+@Execution(ExecutionMode.CONCURRENT)
 class ResubmissionTest {
 
     private static final String BOT = "read -r setup\nwhile read -r turn; do\n%s"

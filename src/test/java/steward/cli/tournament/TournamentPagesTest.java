@@ -24,13 +24,15 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.api.parallel.ResourceLock;
 import picocli.CommandLine;
 import steward.cli.options.WatchOptions;
 import steward.cli.streams.Streams;
 import steward.league.Season;
-import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
+import steward.league.StoredGame;
 import steward.league.rating.LeagueTable;
 import steward.replay.page.PageTestBrowser;
 import steward.replay.page.PageTestRaces;
@@ -38,6 +40,7 @@ import steward.replay.page.PageTestRaces;
 /** Pages of a tournament with replays: the wall of a class, and an author's. */
 @Tag("slow")
 @Timeout(300)
+@Execution(ExecutionMode.CONCURRENT)
 class TournamentPagesTest {
 
     private static final int VIEWERS = 40;

@@ -14,12 +14,15 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
 import steward.files.InputException;
 import tools.jackson.databind.JsonNode;
 
 /** A folder of programs, some of which fail, becomes a table and a page for each author. */
+@Execution(ExecutionMode.CONCURRENT)
 class TournamentTest {
 
     private static final String BOT = "read -r setup\nwhile read -r turn; do\n"

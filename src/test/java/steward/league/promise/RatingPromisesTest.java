@@ -14,6 +14,8 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.league.pairing.StopRule;
 import steward.league.rating.Ratings;
 import steward.league.sequential.Gsprt;
@@ -26,6 +28,7 @@ import steward.schema.PublishedTable;
  * {@code docs/tables/rating.md}, with {@code -Psteward.games=20000} leagues of each kind in hours.
  */
 @Tag("slow")
+@Execution(ExecutionMode.CONCURRENT)
 class RatingPromisesTest {
 
     private static final long LEAGUES = Long.getLong("steward.games", TestSize.of(20, 40));

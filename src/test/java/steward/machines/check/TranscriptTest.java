@@ -21,6 +21,8 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -42,6 +44,7 @@ import steward.replay.ReplayReader;
 import steward.replay.verify.Verification;
 
 /** A game that is sent without what follows from its commands is the same game behind the wire. */
+@Execution(ExecutionMode.CONCURRENT)
 class TranscriptTest {
 
     private static final long SEED = 11;

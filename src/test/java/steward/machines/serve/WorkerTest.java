@@ -17,10 +17,12 @@ import javax.net.ssl.SSLException;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
-import steward.machines.broker.BrokerClient;
 import steward.machines.broker.BrokerClient.BrokenException;
+import steward.machines.broker.BrokerClient;
 import steward.machines.broker.CutProxy;
 import steward.machines.bundle.Bundle;
 import steward.machines.token.BrokerKey;
@@ -36,6 +38,7 @@ import steward.scene.RungLaw;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
+@Execution(ExecutionMode.CONCURRENT)
 class WorkerTest extends ServedLeague {
 
     private static final int GAMES = 60;
