@@ -260,6 +260,17 @@ final class InelasticSystem {
         return size <= MOST_DENSE ? dense.solve(bodies, tolerance) : sparse.solve(bodies, tolerance);
     }
 
+    /** Returns the largest change of a velocity by the impulse of one contact. */
+    double largestChange(Bodies bodies) {
+        double change = 0;
+        for (int k = 0; k < size; k++) {
+            double inverse = bodies.inverseMass[a[k]];
+            inverse = Math.max(inverse, b[k] < 0 ? 0 : bodies.inverseMass[b[k]]);
+            change = Math.max(change, Math.abs(impulse[k]) * inverse);
+        }
+        return change;
+    }
+
     /** Gives the bodies of all contacts the velocities before the impulses. */
     void reset() {
         for (int k = 0; k < size; k++) {

@@ -69,12 +69,7 @@ final class RestImpulses {
     /** Solves the system; contacts do not part if they cannot, and faster where large changes cancel each other. */
     void solve(Bodies bodies) {
         solveOnce(bodies);
-        double change = 0;
-        for (int k = 0; k < system.size; k++) {
-            double inverse = bodies.inverseMass[system.a[k]];
-            inverse = Math.max(inverse, system.b[k] < 0 ? 0 : bodies.inverseMass[system.b[k]]);
-            change = Math.max(change, Math.abs(system.impulse[k]) * inverse);
-        }
+        double change = system.largestChange(bodies);
         if (parts && change * CHANGES > speed) {
             speed = change * CHANGES;
             system.restart(PARTING * speed);

@@ -37,6 +37,8 @@ final class SparseActiveSet {
     private static final double LEAST_SHARE = 0.25;
     /** Speeds that remain in a set, as a share of the largest approach: rounding. */
     private static final double ROUNDING = 0x1p-48;
+    /** Speeds that may remain as a share of the largest change of a velocity: rounding, where these cancel each other. */
+    private static final double CHANGES = 0.75 * 0x1p-50;
     /** Refinements that lessen what remains by less than a half, at most, before contacts are said not to part. */
     private static final int SLOW = 24;
 
@@ -130,7 +132,7 @@ final class SparseActiveSet {
             if (chances > 0) {
                 go(bodies, 1, false);
                 wrong = exchange(bodies, tolerance);
-                chances = wrong < fewest ? CHANCES : chances - 1;
+                chances = wrong == 0 ? chances : wrong < fewest ? CHANCES : chances - 1;
                 fewest = Math.min(fewest, wrong);
                 if (chances == 0) {
                     exchange(bodies, tolerance);
@@ -145,8 +147,8 @@ final class SparseActiveSet {
             factor.regularize(SparseFactor.REGULAR);
             double left = mostLeft();
             slow += left > before / 2 ? 1 : 0;
-            if (left <= rounding || slow > SLOW || left <= tolerance / 16 && slow > 0) {
-                return left <= tolerance;
+            if (left <= rounding || slow > SLOW || left <= tolerance && slow > 0) {
+                return left <= Math.max(tolerance, CHANGES * system.largestChange(bodies));
             }
             before = left;
         }
