@@ -76,11 +76,6 @@ public interface GameJson {
      */
     void writeState(JsonGenerator out);
 
-    /** The record that Jackson makes of a state, with a component for each of its fields; {@code null} for none. */
-    default Class<? extends Record> stateType() {
-        return null;
-    }
-
     /**
      * Fields of a turn's outcome that not every game has, in this order: {@code zones} that are there after this turn,
      * as in the drawing; {@code scores}, a number per player; {@code resources}, an object of numbers per player. They

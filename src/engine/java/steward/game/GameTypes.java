@@ -32,7 +32,7 @@ public record GameTypes(List<GameType> types, GameType guest) {
 
     /** Returns these games and those of a type of guests. */
     @Internal
-    public GameTypes hosting(GameType guests) {
+    public GameTypes withGuests(GameType guests) {
         return new GameTypes(types, guests);
     }
 

@@ -2,6 +2,7 @@ package steward.game;
 
 import java.util.Collections;
 import java.util.List;
+import steward.scene.SceneFiles;
 import steward.text.ViewLines;
 
 /**
@@ -43,6 +44,15 @@ public interface ServerView {
 
     /** Views of a game in a shipped scene that is decided by the seed in {@code refereeInput}. */
     static ServerView ofSeed(String title, String scene) {
-        return new SeededView(title, scene);
+        return new Seeded(title, scene);
+    }
+
+    /** Reader of such views. */
+    record Seeded(String title, String scene) implements ServerView {
+
+        @Override
+        public Start open(ViewLines first, String input) {
+            return new Start(SceneFiles.load(scene).text(), ShownSeed.required(input, first.source()));
+        }
     }
 }

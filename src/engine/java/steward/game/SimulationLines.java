@@ -3,8 +3,8 @@ package steward.game;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintStream;
+import java.io.Reader;
 import java.math.BigDecimal;
-import steward.text.BoundedLine;
 import steward.text.TextFormat;
 
 /**
@@ -106,7 +106,7 @@ public abstract class SimulationLines {
     /** The next line that is not blank, or {@code null} at the end. */
     private String line() throws IOException {
         for (;;) {
-            String line = BoundedLine.read(in, LONGEST_LINE);
+            String line = read(in, LONGEST_LINE);
             lineNumber++;
             if (line != null && line.length() > LONGEST_LINE) {
                 throw wrong("a line of more than " + LONGEST_LINE + " characters", "at most 8 words");
@@ -156,5 +156,26 @@ public abstract class SimulationLines {
     /** Says what is wrong with the last line read. */
     protected final IllegalArgumentException wrong(String problem) {
         return new IllegalArgumentException("input line " + lineNumber + ": " + problem);
+    }
+
+    /**
+     * Reads up to the next line feed. The input may be endless, so a line that is too long is abandoned.
+     *
+     * @return the line without its line feed, or its first {@code most + 1} characters if it is longer, or {@code null}
+     *         at the end of the input
+     */
+    private static String read(Reader in, int most) throws IOException {
+        int character = in.read();
+        if (character < 0) {
+            return null;
+        }
+        StringBuilder line = new StringBuilder();
+        for (; character >= 0 && character != '\n'; character = in.read()) {
+            line.append((char) character);
+            if (line.length() > most) {
+                break;
+            }
+        }
+        return line.toString();
     }
 }

@@ -1,6 +1,7 @@
 package steward.json;
 
 import java.io.ByteArrayOutputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
 import java.util.function.IntConsumer;
 import tools.jackson.core.JsonGenerator;
@@ -20,6 +21,11 @@ public final class JsonObject {
             out.writeEndObject();
         }
         return bytes.toByteArray();
+    }
+
+    /** As {@link #of}, as text. */
+    public static String text(Consumer<JsonGenerator> fields) {
+        return new String(of(fields), StandardCharsets.UTF_8);
     }
 
     /** Writes one field, an array of objects, each with the fields of an item. */

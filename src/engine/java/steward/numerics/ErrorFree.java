@@ -1,5 +1,8 @@
 package steward.numerics;
 
+import com.sun.management.HotSpotDiagnosticMXBean;
+import java.lang.management.ManagementFactory;
+
 /**
  * Rounding error of a sum or a product, which is itself a double. {@code a + b = s + sumError(a, b, s)} and
  * {@code a b = p + productError(a, b, p)} hold exactly.
@@ -21,7 +24,7 @@ public final class ErrorFree {
     /** For products from this magnitude on, the error is not below the smallest double. */
     private static final double SMALLEST_PRODUCT = 0x1p-968;
 
-    private static final boolean FAST_FMA = FusedMultiplyAdd.hasFastFma();
+    private static final boolean FAST_FMA = hasFastFma();
 
     private ErrorFree() { }
 
@@ -93,5 +96,18 @@ public final class ErrorFree {
     private static int exponent(double value) {
         int exponent = Math.getExponent(value);
         return exponent >= Double.MIN_EXPONENT ? exponent : Math.getExponent(value * 0x1p54) - 54;
+    }
+
+    /**
+     * True if {@code Math.fma} is compiled to one instruction: HotSpot's flag {@code UseFMA}, which the JVM sets from
+     * the processor and the command line. False where the flag is unknown. Takes some milliseconds; call it once.
+     */
+    static boolean hasFastFma() {
+        try {
+            HotSpotDiagnosticMXBean hotSpot = ManagementFactory.getPlatformMXBean(HotSpotDiagnosticMXBean.class);
+            return hotSpot != null && Boolean.parseBoolean(hotSpot.getVMOption("UseFMA").getValue());
+        } catch (IllegalArgumentException | LinkageError | SecurityException unknown) {
+            return false;
+        }
     }
 }

@@ -21,23 +21,10 @@ public final class JavaRandom {
         state = (seed ^ MULTIPLIER) & MASK;
     }
 
-    private JavaRandom(JavaRandom other) {
-        state = other.state;
-    }
-
-    /** A generator that goes on as this one does. */
-    public JavaRandom copy() {
-        return new JavaRandom(this);
-    }
-
     /** The next 1..32 bits. */
     private int next(int bits) {
         state = state * MULTIPLIER + INCREMENT & MASK;
         return (int) (state >> 48 - bits);
-    }
-
-    public int nextInt() {
-        return next(32);
     }
 
     /**
@@ -65,10 +52,5 @@ public final class JavaRandom {
     public double nextDouble() {
         long high = (long) next(26) << 27;
         return (high + next(27)) * 0x1.0p-53;
-    }
-
-    /** Returns the state as a number: equal states give equal draws. */
-    public long state() {
-        return state;
     }
 }

@@ -7,12 +7,11 @@ public final class PlanTable {
 
     private PlanTable() { }
 
-    /** Plain text, every line ended by a newline. */
-    public static String of(Plan plan) {
-        return of(plan, (part, line) -> line);
-    }
-
-    /** @param decorate changes the line of a part after the columns are aligned, for example by colour */
+    /**
+     * Text, every line ended by a newline.
+     *
+     * @param decorate changes the line of a part after the columns are aligned, for example by colour
+     */
     public static String of(Plan plan, BiFunction<Part, String, String> decorate) {
         int width = plan.parts().stream().mapToInt(part -> part.name().length()).max().orElse(1);
         StringBuilder table = new StringBuilder();

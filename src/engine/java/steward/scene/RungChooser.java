@@ -10,21 +10,12 @@ import steward.scene.AccuracyFigures.OfRung;
 import steward.scene.json.Block;
 import steward.scene.json.Wording;
 
-/** Choice of a rung for a scene that states a demand, by the scene's figures, with the reason. */
-final class RungChooser {
-
-    private final AccuracyDemand demand;
-    private final Block scene;
-    private final AccuracyFigures found;
-    /** About figures that were passed over, for errors. */
-    private final String without;
-
-    private RungChooser(AccuracyDemand demand, Block scene, AccuracyFigures found, String without) {
-        this.demand = demand;
-        this.scene = scene;
-        this.found = found;
-        this.without = without;
-    }
+/**
+ * Choice of a rung for a scene that states a demand, by the scene's figures, with the reason.
+ *
+ * @param without about figures that were passed over, for errors
+ */
+record RungChooser(AccuracyDemand demand, Block scene, AccuracyFigures found, String without) {
 
     /**
      * The rung for a scene that states a demand.

@@ -80,7 +80,7 @@ class ErrorFreeTest {
     /** Which way is taken is the JVM's answer, and it is the same answer every time. */
     @Test
     void theMachineKnowsItself() {
-        assertEquals(FusedMultiplyAdd.hasFastFma(), FusedMultiplyAdd.hasFastFma());
+        assertEquals(ErrorFree.hasFastFma(), ErrorFree.hasFastFma());
         assertEquals(Math.fma(0.1, 0.1, -(0.1 * 0.1)), ErrorFree.productError(0.1, 0.1, 0.1 * 0.1));
     }
 }

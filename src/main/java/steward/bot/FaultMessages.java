@@ -34,11 +34,7 @@ public final class FaultMessages {
 
     /** {@code no answer within 75 ms (waited 76 ms)}. */
     public static String late(long limitNanos, long waitedNanos) {
-        return late(TimeBasis.WALL, limitNanos, waitedNanos);
-    }
-
-    private static String late(TimeBasis basis, long limitNanos, long waitedNanos) {
-        return LATE + within(basis, limitNanos, waitedNanos);
+        return LATE + within(TimeBasis.WALL, limitNanos, waitedNanos);
     }
 
     private static String within(TimeBasis basis, long limitNanos, long waitedNanos) {
@@ -51,11 +47,7 @@ public final class FaultMessages {
     }
 
     /** Returns {@link #late} with what had been received: {@code : 1 of 2 lines came}. */
-    public static String late(long limitNanos, long waitedNanos, int lines, int expected, int partialBytes) {
-        return withLines(late(limitNanos, waitedNanos), lines, expected, partialBytes);
-    }
-
-    private static String withLines(String fault, int lines, int expected, int partialBytes) {
+    static String withLines(String fault, int lines, int expected, int partialBytes) {
         if (lines >= expected) {
             return fault;
         }
@@ -77,7 +69,7 @@ public final class FaultMessages {
         TimeBasis of = basis == TimeBasis.UNSTARVED && spent.doubtful() ? TimeBasis.WALL : basis;
         String fault = spent.overCpu() ? overCpu(spent.limit(), spent.cpu(), spent.taken())
             : unread ? UNREAD + within(of, spent.limit(), spent.taken())
-            : withLines(late(of, spent.limit(), spent.taken()), lines, expected, partialBytes);
+            : withLines(LATE + within(of, spent.limit(), spent.taken()), lines, expected, partialBytes);
         return fault + (fault.endsWith(")") ? ": " : "; ") + spent.text();
     }
 

@@ -1,6 +1,7 @@
 package steward.bot;
 
 import java.nio.charset.StandardCharsets;
+import steward.Internal;
 
 /**
  * Player whose {@link Bot} runs on the asking thread, for tests and trusted bots. Time is measured as for a bot program
@@ -10,13 +11,12 @@ import java.nio.charset.StandardCharsets;
  * frame of several lines arrives as one text, without the last line end. The answer must have the requested number of
  * lines, each at most 64 KiB long.
  */
-public final class InProcessPlayer implements Player {
+public class InProcessPlayer implements Player {
 
     private final String name;
     private final Bot bot;
     private final LineBuffer told = new LineBuffer();
     private boolean over;
-    private boolean finished;
 
     /** A player called {@code name} whose answers come from {@code bot}. */
     public InProcessPlayer(String name, Bot bot) {
@@ -25,7 +25,7 @@ public final class InProcessPlayer implements Player {
     }
 
     @Override
-    public String name() {
+    public final String name() {
         return name;
     }
 
@@ -35,31 +35,37 @@ public final class InProcessPlayer implements Player {
     }
 
     @Override
-    public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
+    public final Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
         answer.clear();
         if (over) {
             return fault(answer, "asked again after its end");
         }
         long limit = Math.max(1, limitNanos);
         long start = System.nanoTime();
-        String said;
+        String problem;
         try {
-            if (told.size() > 0) {
-                bot.setup(text(told.bytes(), told.size()));
-                told.reset();
-            }
-            said = bot.turn(text(frame, length));
+            problem = played(frame, length, answerLines, answer);
         } catch (Throwable thrown) {
             // Anything a bot throws, errors included, is the bot's failure and not the referee's.
             answer.setNanos(System.nanoTime() - start);
             return fault(answer, "threw " + thrown);
         }
         answer.setNanos(System.nanoTime() - start);
-        String problem = said == null ? "answered null" : take(said, answerLines, answer);
         if (answer.nanos() > limit) {
             problem = FaultMessages.late(limit, answer.nanos());
         }
         return problem == null ? Ending.ANSWERED : fault(answer, problem);
+    }
+
+    /** Lets the bot answer, within its time. @return what is wrong, or {@code null} */
+    @Internal
+    protected String played(byte[] frame, int length, int answerLines, Answer answer) {
+        if (told.size() > 0) {
+            bot.setup(text(told.bytes(), told.size()));
+            told.reset();
+        }
+        String said = bot.turn(text(frame, length));
+        return said == null ? "answered null" : take(said, answerLines, answer);
     }
 
     /** Puts the answer's lines, without carriage returns at their ends, into {@code answer}; returns what is wrong. */
@@ -100,21 +106,22 @@ public final class InProcessPlayer implements Player {
     }
 
     @Override
-    public void finish(byte[] lines, int length) {
-        if (finished) {
-            return;
-        }
-        finished = true;
+    public final void finish(byte[] lines, int length) {
         boolean polite = !over && lines != null;
         over = true;
-        if (!polite) {
-            return;
-        }
         try {
-            bot.end(text(lines, length));
+            if (polite) {
+                end(lines, length);
+            }
         } catch (Throwable thrown) {
             // The match is over; an exception of the bot no longer matters.
             return;
         }
+    }
+
+    /** Tells the bot that the match is over. */
+    @Internal
+    protected void end(byte[] lines, int length) {
+        bot.end(text(lines, length));
     }
 }

@@ -2,7 +2,6 @@ package steward.bot;
 
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 
 /** Clock by which a player's time limits are measured. */
 public enum TimeBasis {
@@ -32,9 +31,5 @@ public enum TimeBasis {
     /** Returns the word as it is written in a call. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
-    }
-
-    public static Optional<TimeBasis> of(String word) {
-        return CHOICES.stream().filter(each -> each.word().equals(word)).findFirst();
     }
 }

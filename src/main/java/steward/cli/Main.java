@@ -3,13 +3,16 @@ package steward.cli;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Map;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import steward.cli.check.CheckCommand;
 import steward.cli.explain.ExplainCommand;
 import steward.cli.league.LeagueCommand;
-import steward.cli.machines.MachineCommands;
+import steward.cli.league.run.LeagueRunCommand;
+import steward.cli.machines.LeagueWorkerCommand;
+import steward.cli.machines.ServeOptions;
 import steward.cli.machines.WorkerCommand;
 import steward.cli.options.ProgramCommand;
 import steward.cli.play.DemoCommand;
@@ -36,6 +39,7 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Lab;
 import steward.cli.shared.NumberConverter;
 import steward.cli.shared.OutOfMemory;
+import steward.cli.shared.WordConverter;
 import steward.cli.streams.Streams;
 import steward.cli.tournament.TournamentCommand;
 import steward.files.InputException;
@@ -147,6 +151,7 @@ public final class Main {
             program.addSubcommand(name, line);
         }
         NumberConverter.register(program);
+        WordConverter.register(program);
         ErrorHandler problems = new ErrorHandler(streams);
         program.setExpandAtFiles(false);
         program.setUsageHelpWidth(WIDTH);
@@ -158,11 +163,6 @@ public final class Main {
         return program;
     }
 
-    /** Returns the options and parameters of one command. */
-    static CommandSpec specOf(String command) {
-        return program(Streams.standard(), command).getSubcommands().get(command).getCommandSpec();
-    }
-
     private static Object command(String name) {
         return switch (name) {
             case "match" -> new MatchCommand();
@@ -172,7 +172,8 @@ public final class Main {
             case "scene" -> new SceneCommand();
             case "explain" -> new ExplainCommand();
             case "demo" -> new DemoCommand();
-            case "league" -> LeagueCommand.spec(MachineCommands.ofLeague());
+            case "league" -> LeagueCommand.spec(Map.of("run", new LeagueRunCommand(new ServeOptions()),
+                "worker", new LeagueWorkerCommand()));
             case "worker" -> new WorkerCommand();
             case "sprt" -> new SprtCommand();
             case "tune" -> new TuneCommand();
@@ -203,9 +204,7 @@ public final class Main {
         spec.addMixin("standardOptions", CommandSpec.forAnnotatedObject(new StandardOptions()));
         spec.versionProvider(new Version());
         spec.usageMessage().sortOptions(false);
-        if (!spec.name().equals("referee")) {                 // its one-letter options are those of tools that call it
-            OptionForms.shorten(spec);
-        }
+        OptionForms.complete(spec, !spec.name().equals("referee"));   // its short options are those of its callers
         OptionForms.arrange(spec);
     }
 }

@@ -5,7 +5,9 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Stream;
 import picocli.CommandLine.Help;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -20,15 +22,24 @@ final class OptionForms {
     /** Of more options the line of usage does not tell. */
     private static final int MOST_IN_SYNOPSIS = 12;
 
-    /** Gives the usual options their short names, in the order in which they are. */
-    static void shorten(CommandSpec spec) {
+    /** Gives options, in their order, the words that complete them, and usual ones their short names if wanted. */
+    static void complete(CommandSpec spec, boolean shorten) {
         List<OptionSpec> all = List.copyOf(spec.options());
         all.forEach(spec::remove);
         for (OptionSpec option : all) {
-            String full = option.longestName();
-            String name = SHORT.get(full);
-            spec.addOption(name == null ? option : OptionSpec.builder(option).names(name, full).build());
+            String name = shorten ? SHORT.get(option.longestName()) : null;
+            OptionSpec.Builder builder = OptionSpec.builder(option).completionCandidates(candidates(option));
+            spec.addOption((name == null ? builder : builder.names(name, option.longestName())).build());
         }
+    }
+
+    /** Returns the words of a label such as {@code replay|count}, or of an enum, or those that the option declares. */
+    private static Iterable<String> candidates(OptionSpec option) {
+        List<String> words = Stream.of(option.paramLabel().split("\\|")).filter(word -> word.matches("[a-z]+"))
+            .toList();
+        return !words.isEmpty() ? words : option.type().isEnum()
+            ? Stream.of(option.type().getEnumConstants()).map(each -> each.toString().toLowerCase(Locale.ROOT)).toList()
+            : option.completionCandidates();
     }
 
     /** Puts options with an {@link OptionSection} below headings, after the others; of these the usual ones first. */
@@ -50,10 +61,10 @@ final class OptionForms {
         plain.sort(Comparator.comparing(option -> !option.required() && !SHORT.containsKey(option.longestName())));
         StringBuilder text = new StringBuilder(help.optionListExcludingGroups(plain));
         sections.forEach((section, options) -> {
-            boolean elsewhere = !section.elsewhere().isEmpty() && options.size() > 1;
-            text.append('\n').append(section.value()).append(elsewhere
-                ? "; " + (options.size() - 1) + " more options: steward help " + section.elsewhere() : "").append(":\n")
-                .append(help.optionListExcludingGroups(elsewhere ? options.subList(0, 1) : options));
+            boolean isInHelp = !section.help().isEmpty() && options.size() > 1;
+            text.append('\n').append(section.value()).append(isInHelp
+                ? "; " + (options.size() - 1) + " more options: steward help " + section.help() : "").append(":\n")
+                .append(help.optionListExcludingGroups(isInHelp ? options.subList(0, 1) : options));
         });
         return text.toString();
     }

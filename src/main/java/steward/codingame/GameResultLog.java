@@ -3,7 +3,6 @@ package steward.codingame;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -120,21 +119,11 @@ public final class GameResultLog implements MatchListener {
         }
         nothing.add(null);
         summaries.add(summary);
-        views.add(view());
+        views.add(JsonObject.text(codec::writeState));
     }
 
     private static String lines(String answer) {
         return answer == null || answer.isEmpty() ? null : answer + "\n";
-    }
-
-    private String view() {
-        StringWriter text = new StringWriter();
-        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), text)) {
-            out.writeStartObject();
-            codec.writeState(out);
-            out.writeEndObject();
-        }
-        return text.toString();
     }
 
     /**
@@ -179,15 +168,11 @@ public final class GameResultLog implements MatchListener {
     }
 
     private static String metadata(String scene, MatchResult result) {
-        StringWriter text = new StringWriter();
-        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), text)) {
-            out.writeStartObject();
+        return JsonObject.text(out -> {
             out.writeStringProperty("scene", scene);
             out.writeNumberProperty("turns", result.turns());
             out.writeStringProperty("ending", result.ending());
-            out.writeEndObject();
-        }
-        return text.toString();
+        });
     }
 
     private void writeTooltips(JsonGenerator out) {

@@ -2,7 +2,6 @@ package steward.contest;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -16,61 +15,38 @@ import steward.replay.WriteBehind;
  * created together with its first line. So after {@code kill -9} every existing file can be verified up to its cut,
  * except one killed between the two system calls: that one is empty.
  */
-public final class ReplayFile extends OutputStream {
+public final class ReplayFile extends WriteBehind {
 
     private final Path path;
     private final LateFile file;
-    private final OutputStream stream;
-    private IOException problem;
 
     /** @throws InputException if it cannot be opened, or exists and is not to be overwritten */
     public ReplayFile(Path path, boolean overwrite) {
+        this(path, new LateFile(path, overwrite));
+    }
+
+    private ReplayFile(Path path, LateFile file) {
+        super(file);
         this.path = path;
-        file = new LateFile(path, overwrite);
-        stream = new WriteBehind(file);
-    }
-
-    @Override
-    public void write(int one) throws IOException {
-        write(new byte[] {(byte) one}, 0, 1);
-    }
-
-    @Override
-    public void write(byte[] bytes, int from, int length) throws IOException {
-        try {
-            stream.write(bytes, from, length);
-        } catch (IOException found) {
-            problem = found;
-            throw found;
-        }
-    }
-
-    @Override
-    public void flush() throws IOException {
-        try {
-            stream.flush();
-        } catch (IOException found) {
-            problem = found;
-            throw found;
-        }
+        this.file = file;
     }
 
     /** Closes the file; a failure to write is remembered, see {@link #problem}, and nothing is thrown. */
     @Override
     public void close() {
         try {
-            stream.close();
-        } catch (IOException found) {
-            problem = problem == null ? found : problem;
+            super.close();
+        } catch (IOException remembered) {
+            return;
         }
     }
 
     /** Describes the failure of the file, and its fate; {@code null} if there was none. */
     public String problem() {
-        if (problem == null) {
+        if (failure() == null) {
             return null;
         }
-        String what = path + ": cannot be written: " + problem.getMessage();
+        String what = path + ": cannot be written: " + failure().getMessage();
         if (!exists()) {
             return what + "; it had no turn, and is removed";
         }
@@ -79,7 +55,7 @@ public final class ReplayFile extends OutputStream {
 
     /** True if anything went wrong with the file. */
     public boolean isBroken() {
-        return problem != null;
+        return failure() != null;
     }
 
     /** When it is closed: removes a file that has no turn. */

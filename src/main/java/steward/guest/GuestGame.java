@@ -162,7 +162,7 @@ final class GuestGame extends AbstractGame {
             return process.exchange(told + RefereeBlock.text("GET_GAME_INFO", List.of()));
         }
         if (unsaid.isEmpty()) {
-            unsaid.addAll(GuestJson.said(recorded.get()));
+            unsaid.addAll(GuestCodec.said(recorded.get()));
         }
         List<RefereeBlock> said = new ArrayList<>();
         while (said.isEmpty() || !said.get(said.size() - 1).name().isLast()) {

@@ -183,12 +183,12 @@ public final class GuestType implements GameType {
 
         @Override
         public GameJson codec(Game game) {
-            return new GuestJson((GuestGame) game);
+            return new GuestCodec((GuestGame) game);
         }
 
         @Override
         public Optional<TextCodec> textCodec(Game game) {
-            return Optional.of(new GuestText((GuestGame) game));
+            return Optional.of(new GuestCodec((GuestGame) game));
         }
     }
 }

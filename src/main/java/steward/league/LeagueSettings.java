@@ -8,6 +8,7 @@ import steward.bot.TimeBasis;
 import steward.bot.hold.HoldPolicy;
 import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
+import steward.text.EnumWords;
 
 /**
  * Settings of a league that a person decides: the content of league.json.
@@ -97,7 +98,8 @@ public record LeagueSettings(String scene, long seed, String seedFile, String ga
     /** Returns which bots are stopped while others are asked. */
     public HoldPolicy hold() {
         int option = sandbox.indexOf(HOLD);
-        return option < 0 ? HoldPolicy.BURNERS : HoldPolicy.of(sandbox.get(option + 1)).orElse(HoldPolicy.BURNERS);
+        return option < 0 ? HoldPolicy.BURNERS : EnumWords.find(List.of(HoldPolicy.values()),
+            sandbox.get(option + 1)).orElse(HoldPolicy.BURNERS);
     }
 
     /** Returns these settings with the seeds of a file, or numbers in a row for {@code null}. */

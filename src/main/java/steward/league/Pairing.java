@@ -22,11 +22,6 @@ public interface Pairing {
      */
     int[] choose(Predicate<int[]> wanted);
 
-    /** Chooses among all groups. */
-    default int[] choose() {
-        return choose(group -> true);
-    }
-
     /** Tells it that these versions were decided on so many times, now or in an earlier run. */
     void made(int times, int... versions);
 

@@ -36,16 +36,8 @@ public interface Dialogue {
     /**
      * The dialogue of a protocol.
      *
-     * @throws IllegalArgumentException if the scene's game does not support it
-     */
-    static Dialogue of(Protocol protocol, GameSetup setup, Game game, GameJson codec) {
-        return of(protocol, setup, game, codec, Map.of());
-    }
-
-    /**
-     * Makes a dialogue as above.
-     *
      * @param limits of players that have their own
+     * @throws IllegalArgumentException if the scene's game does not support it
      */
     @Internal
     static Dialogue of(Protocol protocol, GameSetup setup, Game game, GameJson codec, Map<Integer, Time> limits) {

@@ -1,7 +1,7 @@
 package steward.match;
 
 import steward.bot.Answer;
-import steward.bot.FaultMessages;
+import steward.bot.InProcessPlayer;
 import steward.bot.LineBuffer;
 import steward.game.Game;
 
@@ -9,17 +9,15 @@ import steward.game.Game;
  * Adapter of a {@link DirectBot} to a player and its dialogue, without lines. Time is measured as for a bot program and
  * the limit applies, but a bot that never returns cannot be stopped.
  */
-final class DirectPlayer implements DialoguePlayer, Dialogue {
+final class DirectPlayer extends InProcessPlayer implements DialoguePlayer, Dialogue {
 
-    private final String name;
     private final DirectBot bot;
     private final LineBuffer noLines = new LineBuffer();
     private Game game;
     private String problem;
-    private boolean over;
 
     DirectPlayer(String name, DirectBot bot) {
-        this.name = name;
+        super(name, null);
         this.bot = bot;
     }
 
@@ -72,45 +70,21 @@ final class DirectPlayer implements DialoguePlayer, Dialogue {
     }
 
     @Override
-    public Ending ask(byte[] frame, int length, int answerLines, long limitNanos, Answer answer) {
-        answer.clear();
-        if (over) {
-            answer.setFault("asked again after its end");
-            return Ending.FAULT;
-        }
-        long start = System.nanoTime();
+    protected String played(byte[] frame, int length, int answerLines, Answer answer) {
         if (problem == null) {
-            try {
-                bot.turn();
-            } catch (Throwable thrown) {
-                problem = "threw " + thrown;
-            }
+            bot.turn();
         }
-        answer.setNanos(System.nanoTime() - start);
-        if (problem == null && answer.nanos() <= Math.max(1, limitNanos)) {
-            return Ending.ANSWERED;
-        }
-        over = true;
-        answer.setFault(problem != null ? problem : FaultMessages.late(Math.max(1, limitNanos), answer.nanos()));
-        return Ending.FAULT;
+        return problem;
     }
 
     @Override
-    public String name() {
-        return name;
+    protected void end(byte[] lines, int length) {
+        bot.end();
     }
 
+    /** Tells the bot of the end also if the match is broken off. */
     @Override
-    public void finish(byte[] lines, int length) {
-        boolean polite = !over;
-        over = true;
-        try {
-            if (polite) {
-                bot.end();
-            }
-        } catch (Throwable thrown) {
-            // The match is over; an exception of the bot no longer matters.
-            return;
-        }
+    public void close() {
+        finish(noLines.bytes(), 0);
     }
 }

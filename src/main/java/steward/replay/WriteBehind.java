@@ -17,9 +17,9 @@ import java.util.concurrent.locks.ReentrantLock;
  * {@value #CAPACITY} bytes are buffered; when the buffer is full, the calling thread writes it to the file itself, as
  * do {@link #flush} and {@link #close}.
  *
- * <p>A failure to write is thrown by the next call. One thread at a time may write.
+ * <p>A failure to write is thrown by the next call, and remembered. One thread at a time may write.
  */
-public final class WriteBehind extends OutputStream {
+public class WriteBehind extends OutputStream {
 
     private static final int CAPACITY = 1 << 16;
     /** Buffers that wait for the next streams, at most. */
@@ -89,6 +89,9 @@ public final class WriteBehind extends OutputStream {
         closed = true;
         try (file) {
             flush();
+        } catch (IOException found) {
+            problem = problem == null ? found : problem;
+            throw found;
         } finally {
             Writer.shared().remove(this);
             giveBack();
@@ -100,6 +103,11 @@ public final class WriteBehind extends OutputStream {
         Writer.shared().keep(spare);
         waiting = NOTHING;
         spare = NOTHING;
+    }
+
+    /** The first failure to write, or {@code null}. */
+    protected final IOException failure() {
+        return problem;
     }
 
     private void check() throws IOException {

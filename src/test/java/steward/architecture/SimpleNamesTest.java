@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaMethod;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -23,9 +24,18 @@ class SimpleNamesTest {
     /** A row of the table in CONTRIBUTING: the word of names, its thing, words that no name has. */
     private static final Pattern ROW = Pattern.compile("(?m)^\\| `(\\w+)` \\| [^|]+ \\| ((?:`\\w+`(?:, )?)+) \\|$");
 
+    /** Words that methods may have: hosts of a network, entries of a list. */
+    private static final Set<String> FREE_IN_METHODS = Set.of("Host", "Entry");
+
     private static Stream<String> names() {
         return HouseClasses.all().stream().filter(JavaClass::isTopLevelClass).map(JavaClass::getSimpleName)
             .filter(name -> !name.equals("package-info"));
+    }
+
+    /** Names of methods, each with a capital. */
+    private static Stream<String> methods() {
+        return HouseClasses.all().stream().flatMap(type -> type.getMethods().stream()).map(JavaMethod::getName)
+            .map(name -> Character.toUpperCase(name.charAt(0)) + name.substring(1));
     }
 
     private static Set<String> twice(Stream<String> names) {
@@ -54,6 +64,8 @@ class SimpleNamesTest {
             assertFalse(having(row.group(1), seen.stream()).isEmpty(), row.group(1));
             for (String other : row.group(2).replace("`", "").split(", ")) {
                 assertEquals(Set.of(), having(other, seen.stream()), "the word is " + row.group(1));
+                assertEquals(Set.of(), FREE_IN_METHODS.contains(other) ? Set.of() : having(other, methods()),
+                    "the word is " + row.group(1));
             }
         }
         assertEquals(4, rows);

@@ -32,13 +32,12 @@ class FaultMessagesTest {
 
     @Test
     void aLateAnswerSaysWhatHadCome() {
-        assertEquals("no answer within 75 ms (waited 76 ms)", FaultMessages.late(75 * MS, 76 * MS));
-        assertEquals("no answer within 75 ms (waited 76 ms)", FaultMessages.late(75 * MS, 76 * MS, 0, 2, 0));
-        assertEquals("no answer within 75 ms (waited 76 ms)", FaultMessages.late(75 * MS, 76 * MS, 2, 2, 9));
-        assertEquals("no answer within 75 ms (waited 76 ms): 1 of 2 lines came",
-            FaultMessages.late(75 * MS, 76 * MS, 1, 2, 0));
-        assertEquals("no answer within 75 ms (waited 76 ms): 3 bytes came, without a line end",
-            FaultMessages.late(75 * MS, 76 * MS, 0, 1, 3));
+        String late = FaultMessages.late(75 * MS, 76 * MS);
+        assertEquals("no answer within 75 ms (waited 76 ms)", late);
+        assertEquals(late, FaultMessages.withLines(late, 0, 2, 0));
+        assertEquals(late, FaultMessages.withLines(late, 2, 2, 9));
+        assertEquals(late + ": 1 of 2 lines came", FaultMessages.withLines(late, 1, 2, 0));
+        assertEquals(late + ": 3 bytes came, without a line end", FaultMessages.withLines(late, 0, 1, 3));
     }
 
     @Test

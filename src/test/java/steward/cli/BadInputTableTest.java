@@ -150,7 +150,7 @@ class BadInputTableTest {
         Set<String> used = entries(command).stream().flatMap(entry -> entry.words().stream())
             .map(word -> word.replaceFirst("=.*", "")).collect(Collectors.toSet());
         List<String> missing = new ArrayList<>();
-        for (OptionSpec option : Main.specOf(command).options()) {
+        for (OptionSpec option : HelpTest.specOf(command).options()) {
             if (option.arity().max() > 0 && Stream.of(option.names()).noneMatch(used::contains)) {
                 missing.add(option.longestName());
             }

@@ -324,7 +324,7 @@ final class BrokenInputs {
         assertEquals(command.words(), again.words(), text);
         assertEquals(command.prefix(), again.prefix(), text);
         try {
-            assertFalse(command.displayName() == null || command.resolve().isEmpty(), text);
+            assertFalse(command.displayName(Path.of("")) == null || command.resolve(Path.of("")).isEmpty(), text);
             return false;
         } catch (IllegalArgumentException refusal) {
             assertTrue(refusal.getMessage().startsWith("bot "), refusal.getMessage());

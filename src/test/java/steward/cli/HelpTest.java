@@ -36,9 +36,14 @@ class HelpTest {
         return Main.commands();
     }
 
+    /** Returns the options and parameters of one command. */
+    static CommandSpec specOf(String command) {
+        return Main.program(Streams.standard(), command).getSubcommands().get(command).getCommandSpec();
+    }
+
     /** All commands, also those of 'league'. */
     private static List<String> all() {
-        return Stream.concat(commands().stream(), Main.specOf("league").subcommands().keySet().stream()
+        return Stream.concat(commands().stream(), specOf("league").subcommands().keySet().stream()
             .map(name -> "league " + name)).toList();
     }
 
@@ -59,7 +64,7 @@ class HelpTest {
 
     private static CommandSpec spec(String command) {
         String[] words = command.split(" ");
-        CommandSpec spec = Main.specOf(words[0]);
+        CommandSpec spec = specOf(words[0]);
         return words.length == 1 ? spec : spec.subcommands().get(words[1]).getCommandSpec();
     }
 
@@ -111,14 +116,14 @@ class HelpTest {
     @MethodSource("commands")
     void optionsAreDescribedInTheThirdPerson(String command) {
         List<String> wrong = new ArrayList<>();
-        for (OptionSpec option : Main.specOf(command).options().stream().filter(each -> !each.hidden()).toList()) {
+        for (OptionSpec option : specOf(command).options().stream().filter(each -> !each.hidden()).toList()) {
             String first = String.join(" ", option.description()).split(" ")[0].replaceAll("[,.]$", "");
             if (!first.isEmpty() && !first.endsWith("s") && !OTHER_BEGINNINGS.contains(first)) {
                 wrong.add(option.longestName() + ": " + first);
             }
         }
         assertEquals(List.of(), wrong);
-        String about = String.join(" ", Main.specOf(command).usageMessage().description());
+        String about = String.join(" ", specOf(command).usageMessage().description());
         assertTrue(about.split("[ ,]")[0].endsWith("s"), about);
     }
 

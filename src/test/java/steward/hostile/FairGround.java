@@ -18,6 +18,7 @@ import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
 import steward.cli.Main;
 import steward.cli.streams.Streams;
+import steward.text.EnumWords;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -108,7 +109,8 @@ public final class FairGround {
                 System.out.println("level " + level + " does not work here: " + SandboxSupport.problem(sandbox));
                 continue;
             }
-            HoldPolicy policy = HoldPolicy.of(option("hold", "burners")).orElseThrow();
+            HoldPolicy policy = EnumWords.find(List.of(HoldPolicy.values()),
+                option("hold", "burners")).orElseThrow();
             System.out.println("at " + level + ", bots that burn are "
                 + HoldMeans.of(Isolation.at(sandbox).holding(policy)).text());
             for (String time : option("time", "wall").split(",")) {

@@ -30,8 +30,8 @@ public final class FantasticBits extends AbstractGame {
     private static final String[] GOAL_FOR = {"goal for player 0", "goal for player 1"};
 
     private final WizardCommand[] commands = new WizardCommand[Pitch.WIZARDS];
-    private final int[] scores = new int[FantasticBitsSettings.PLAYERS];
-    private final int[] magic = new int[FantasticBitsSettings.PLAYERS];
+    final int[] scores = new int[FantasticBitsSettings.PLAYERS];
+    final int[] magic = new int[FantasticBitsSettings.PLAYERS];
 
     /** A game before its first turn, drawn as {@link Pitch#draw} says. */
     public FantasticBits(FantasticBitsSettings settings, Plan plan, long seed) {
@@ -42,7 +42,8 @@ public final class FantasticBits extends AbstractGame {
         advance = plan.advance(new Captures());
     }
 
-    private FantasticBits(FantasticBits other, Pitch pitch) {
+    /** The other game on a pitch for the same players. */
+    FantasticBits(FantasticBits other, Pitch pitch) {
         super(other);
         settings = other.settings;
         plan = other.plan;
@@ -56,14 +57,6 @@ public final class FantasticBits extends AbstractGame {
     @Override
     public FantasticBits copy() {
         return new FantasticBits(this, pitch.copy());
-    }
-
-    /** Returns this game on another pitch, with other scores and magic: for tests of the rules. */
-    public FantasticBits on(Pitch of, int[] newScores, int[] newMagic) {
-        FantasticBits game = new FantasticBits(this, of);
-        System.arraycopy(newScores, 0, game.scores, 0, scores.length);
-        System.arraycopy(newMagic, 0, game.magic, 0, magic.length);
-        return game;
     }
 
     /**

@@ -32,8 +32,8 @@ public final class MeanMax extends AbstractGame {
     private static final String[] SUNK_BY = {"sunk by player 0", "sunk by player 1", "sunk by player 2"};
 
     private final LooterCommand[] commands = new LooterCommand[MeanMaxSettings.PLAYERS * UnitKind.LOOTERS];
-    private final int[] scores = new int[MeanMaxSettings.PLAYERS];
-    private final int[] rages = new int[MeanMaxSettings.PLAYERS];
+    final int[] scores = new int[MeanMaxSettings.PLAYERS];
+    final int[] rages = new int[MeanMaxSettings.PLAYERS];
     private final int[] leaving;
 
     /** A game before its first turn, drawn as {@link MeanMaxWorld#draw} says. */
@@ -47,7 +47,8 @@ public final class MeanMax extends AbstractGame {
         motion.endTurn(world.bodies(), world);
     }
 
-    private MeanMax(MeanMax other, MeanMaxWorld world) {
+    /** The other game in a world for the same players. */
+    MeanMax(MeanMax other, MeanMaxWorld world) {
         super(other);
         settings = other.settings;
         plan = other.plan;
@@ -62,18 +63,6 @@ public final class MeanMax extends AbstractGame {
     @Override
     public MeanMax copy() {
         return new MeanMax(this, world.copy());
-    }
-
-    /**
-     * Returns this game in another world, with other scores and rages: for tests of the rules.
-     *
-     * @param of a world for the same players
-     */
-    public MeanMax in(MeanMaxWorld of, int[] newScores, int[] newRages) {
-        MeanMax game = new MeanMax(this, of);
-        System.arraycopy(newScores, 0, game.scores, 0, scores.length);
-        System.arraycopy(newRages, 0, game.rages, 0, rages.length);
-        return game;
     }
 
     /**

@@ -113,38 +113,6 @@ public final class MeanMaxWorld {
         return world;
     }
 
-    /**
-     * A world without units that goes on with the tankers of a seed: for tests of the rules.
-     *
-     * @param capacity maximum number of bodies
-     */
-    public static MeanMaxWorld empty(MeanMaxSettings settings, long seed, int players, int capacity) {
-        JavaRandom random = new JavaRandom(seed);
-        random.nextInt(3);
-        return new MeanMaxWorld(settings, players, capacity, new TankerQueue(random, players));
-    }
-
-    /** Takes ids until the next one is this: for tests of the rules. */
-    public void takeIdsUpTo(int next) {
-        while (bodies.nextId() < next) {
-            bodies.takeId();
-        }
-    }
-
-    /**
-     * Adds a unit with an id of at least the next one: for tests of the rules.
-     *
-     * @param player that it belongs to, or is spawned for
-     * @return its index
-     */
-    public int addUnit(int id, UnitKind kind, int player, double radius, double mass, int water, int size) {
-        takeIdsUpTo(id);
-        int body = add(kind, player, 0, 0, radius, mass);
-        bodies.columns[WATER][body] = water;
-        bodies.columns[SIZE][body] = size;
-        return body;
-    }
-
     /** Adds a wreck. @param player for whom another comes when it is gone, or -1 */
     public void addWreck(int id, double x, double y, double radius, int water, int player) {
         Wreck wreck = spareWrecks.isEmpty() ? new Wreck() : spareWrecks.remove(spareWrecks.size() - 1);
@@ -154,11 +122,6 @@ public final class MeanMaxWorld {
     /** Removes a wreck; its object serves the next one. */
     void removeWreck(int index) {
         spareWrecks.add(wrecks.remove(index));
-    }
-
-    /** Adds a skill effect with any id, in its place behind those of its skill: for tests of the rules. */
-    public void addEffect(int id, Skill skill, double x, double y, int duration, int looter) {
-        insert(id, skill, x, y, duration, looter);
     }
 
     /** @return false if two came too near, looters without a place at (0, 0) included */
@@ -180,7 +143,7 @@ public final class MeanMaxWorld {
         return true;
     }
 
-    private int add(UnitKind kind, int player, double x, double y, double radius, double mass) {
+    int add(UnitKind kind, int player, double x, double y, double radius, double mass) {
         int body = bodies.add(x, y, radius, mass);
         bodies.setKind(body, kind.ordinal());
         bodies.setDrag(body, kind.friction());
@@ -258,7 +221,7 @@ public final class MeanMaxWorld {
         insert(bodies.takeId(), skill, x, y, skill.turns(), bodies.id(looter));
     }
 
-    private void insert(int id, Skill skill, double x, double y, int duration, int looter) {
+    void insert(int id, Skill skill, double x, double y, int duration, int looter) {
         int place = 0;
         while (place < effects.size() && effects.get(place).skill().compareTo(skill) <= 0) {
             place++;

@@ -9,19 +9,11 @@ import steward.scene.json.Block;
 import steward.scene.json.SceneException;
 
 /** Check that pods, walls, bumpers and checkpoints of a race do not overlap; errors are located in the file. */
-public final class PlaceCheck {
+public record PlaceCheck(Scene scene, PodRaceSettings settings) {
 
     /** Rounding of two start places brings them nearer by at most sqrt(2). */
     private static final double ROUNDING = 1.5;
     private static final int MOST_WARNINGS = 10;
-
-    private final Scene scene;
-    private final PodRaceSettings settings;
-
-    private PlaceCheck(Scene scene, PodRaceSettings settings) {
-        this.scene = scene;
-        this.settings = settings;
-    }
 
     /**
      * @return a warning for each checkpoint that one obstacle keeps from all pods, at most {@value #MOST_WARNINGS} and

@@ -60,15 +60,6 @@ public final class ChipTable {
         return new ChipTable(this);
     }
 
-    /**
-     * A table without chips: for tests of the rules.
-     *
-     * @param capacity maximum number of chips
-     */
-    public static ChipTable empty(int players, int capacity) {
-        return new ChipTable(players, capacity);
-    }
-
     /** Takes ids until the next one is this. */
     public void takeIdsUpTo(int next) {
         while (bodies.nextId() < next) {

@@ -31,7 +31,7 @@ public final class PokerChipRace extends AbstractGame {
     private final Advance advance;
     private final Ranking ranking;
     private final ChipCommand[][] commands;
-    private final double[] lost;
+    final double[] lost;
     private final double[] lastEaten;
     private int[] pushed = new int[8];
     private double[] angles = new double[8];
@@ -41,7 +41,8 @@ public final class PokerChipRace extends AbstractGame {
         this(settings, plan, ChipStart.draw(settings, seed));
     }
 
-    private PokerChipRace(PokerChipRaceSettings settings, Plan plan, ChipTable table) {
+    /** A game before its first turn, with chips for the players of its settings. */
+    PokerChipRace(PokerChipRaceSettings settings, Plan plan, ChipTable table) {
         super(settings.players());
         this.settings = settings;
         this.plan = plan;
@@ -77,23 +78,6 @@ public final class PokerChipRace extends AbstractGame {
     @Override
     public PokerChipRace copy() {
         return new PokerChipRace(this);
-    }
-
-    /**
-     * Returns this game with other chips: for tests of the rules.
-     *
-     * @param of      a table for the same players
-     * @param newLost per player when it has lost its last chip, below 0 while it is in; the others are out
-     */
-    public PokerChipRace on(ChipTable of, double[] newLost) {
-        PokerChipRace game = new PokerChipRace(settings, plan, of);
-        for (int player = 0; player < players(); player++) {
-            game.lost[player] = newLost[player];
-            if (newLost[player] >= 0) {
-                game.eliminate(player, "out before");
-            }
-        }
-        return game;
     }
 
     /**

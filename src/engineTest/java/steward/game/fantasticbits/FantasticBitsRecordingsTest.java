@@ -109,7 +109,7 @@ class FantasticBitsRecordingsTest {
                     Double.parseDouble(words[3]));
             }
             FantasticBits any = FantasticBitsReplay.setup(Variant.CONTEST).create(0);
-            game = any.on(pitch, new int[2], new int[2]);
+            game = Pitches.game(any, pitch, new int[2], new int[2]);
             codec = FantasticBitsReplay.setup(Variant.CONTEST).textCodec(game).orElseThrow();
         }
 

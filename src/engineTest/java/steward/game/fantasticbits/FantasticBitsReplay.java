@@ -92,7 +92,7 @@ public final class FantasticBitsReplay extends VectorReplay<FantasticBits> {
             scores[player] = state.get("scores").get(player).asInt();
             magic[player] = state.get("magic").get(player).asInt();
         }
-        return game.on(pitch, scores, magic);
+        return Pitches.game(game, pitch, scores, magic);
     }
 
     private static int move(Bodies bodies, JsonNode entity) {

@@ -33,7 +33,7 @@ class FantasticBitsTest extends GameRules<FantasticBits> {
         for (int k = 0; k < 5; k++) {
             pitch.bodies().setPosition(4 + k, 3000 + 1000 * k, 7000);
         }
-        return SETUP.create(1).on(pitch, new int[2], new int[] {magic, magic});
+        return Pitches.game(SETUP.create(1), pitch, new int[2], new int[] {magic, magic});
     }
 
     @Test
@@ -167,7 +167,7 @@ class FantasticBitsTest extends GameRules<FantasticBits> {
 
     @Test
     void moreThanHalfOfTheSnafflesEndTheGame() {
-        FantasticBits game = SETUP.create(1).on(quiet(0).pitch(), new int[] {1, 2}, new int[2]);
+        FantasticBits game = Pitches.game(SETUP.create(1), quiet(0).pitch(), new int[] {1, 2}, new int[2]);
         assertEquals(3, game.winningScore());
         game.bodies().setPosition(4, 100, 3000);
         game.bodies().setVelocity(4, -200, 0);
@@ -177,7 +177,8 @@ class FantasticBitsTest extends GameRules<FantasticBits> {
 
     @Override
     protected FantasticBits twin(GameSetup other, FantasticBits game) {
-        return ((FantasticBits) other.create(1)).on(game.copy().pitch(), new int[] {game.score(0), game.score(1)},
+        return Pitches.game((FantasticBits) other.create(1), game.copy().pitch(),
+            new int[] {game.score(0), game.score(1)},
             new int[] {game.magic(0), game.magic(1)});
     }
 

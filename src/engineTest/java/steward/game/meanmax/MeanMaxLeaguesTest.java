@@ -108,7 +108,7 @@ class MeanMaxLeaguesTest {
     void aSkillThatTheLeagueDoesNotHaveIsAWait(int version, int looter, int effects) {
         GameSetup setup = league(version);
         MeanMax drawn = (MeanMax) setup.create(SEED);
-        MeanMax game = drawn.in(drawn.world().copy(), new int[3], new int[] {100, 100, 100});
+        MeanMax game = MeanMaxWorlds.game(drawn, drawn.world().copy(), new int[3], new int[] {100, 100, 100});
         int self = game.world().looter(0, looter);
         String skill = "SKILL " + (int) game.bodies().x[self] + " " + (int) game.bodies().y[self];
         assertNull(answer(setup, game, 0, (looter == 0 ? skill : "WAIT") + "\n" + (looter == 1 ? skill : "WAIT") + "\n"
@@ -138,9 +138,9 @@ class MeanMaxLeaguesTest {
             MeanMaxSettings settings = new MeanMaxSettings(50, 200, version);
             long[] hashes = new long[2];
             for (int player = 0; player < 2; player++) {
-                MeanMaxWorld world = MeanMaxWorld.empty(settings, SEED, 3, 9);
+                MeanMaxWorld world = MeanMaxWorlds.empty(settings, SEED, 9);
                 world.addWreck(30, 0, 0, 600, 4, player);
-                hashes[player] = game(version).in(world, new int[3], new int[3]).hash();
+                hashes[player] = MeanMaxWorlds.game(game(version), world, new int[3], new int[3]).hash();
             }
             assertEquals(version == 0, hashes[0] != hashes[1]);
         }

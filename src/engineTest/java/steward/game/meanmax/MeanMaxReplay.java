@@ -40,12 +40,12 @@ public final class MeanMaxReplay extends VectorReplay<MeanMax> {
 
     @Override
     protected MeanMax in(MeanMax game, JsonNode state) {
-        MeanMaxWorld world = MeanMaxWorld.empty(game.settings(), match.seed(), game.players(),
-            state.get("units").size());
+        MeanMaxWorld world = MeanMaxWorlds.empty(game.settings(), match.seed(), state.get("units").size());
         for (JsonNode unit : state.get("units")) {
             boolean tanker = unit.get("type").asInt() == UnitKind.TANKER.ordinal();
-            int body = world.addUnit(unit.get("id").asInt(), UnitKind.of(unit.get("type").asInt()),
-                unit.get("player").asInt(), unit.get("radius").asDouble(), unit.get("mass").asDouble(),
+            int body = MeanMaxWorlds.addUnit(world, unit.get("id").asInt(),
+                UnitKind.of(unit.get("type").asInt()), unit.get("player").asInt(), unit.get("radius").asDouble(),
+                unit.get("mass").asDouble(),
                 tanker ? unit.get("water").asInt() : 0, tanker ? unit.get("size").asInt() : 0);
             world.bodies().setPosition(body, unit.get("x").asDouble(), unit.get("y").asDouble());
             world.bodies().setVelocity(body, unit.get("vx").asDouble(), unit.get("vy").asDouble());
@@ -56,10 +56,10 @@ public final class MeanMaxReplay extends VectorReplay<MeanMax> {
                 wreck.path("player").asInt(-1));
         }
         for (JsonNode effect : state.get("effects")) {
-            world.addEffect(effect.get("id").asInt(), skill(effect.get("type").asInt()), effect.get("x").asDouble(),
+            world.insert(effect.get("id").asInt(), skill(effect.get("type").asInt()), effect.get("x").asDouble(),
                 effect.get("y").asDouble(), effect.get("duration").asInt(), effect.get("looter").asInt());
         }
-        world.takeIdsUpTo(state.get("nextId").asInt());
+        MeanMaxWorlds.takeIdsUpTo(world, state.get("nextId").asInt());
         int[] scores = new int[game.players()];
         int[] rages = new int[game.players()];
         for (int player = 0; player < game.players(); player++) {
@@ -69,7 +69,7 @@ public final class MeanMaxReplay extends VectorReplay<MeanMax> {
                 world.queue().take(player);
             }
         }
-        MeanMax begun = game.in(world, scores, rages);
+        MeanMax begun = MeanMaxWorlds.game(game, world, scores, rages);
         for (int player = 0; player < game.players(); player++) {
             if (state.get("dead").get(player).asBoolean()) {
                 begun.eliminate(player, "out before");

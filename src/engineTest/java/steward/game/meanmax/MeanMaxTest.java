@@ -28,14 +28,18 @@ class MeanMaxTest extends GameRules<MeanMax> {
 
     /** A game with all looters far apart at rest, and no tankers. */
     private static MeanMax quiet(int[] rages) {
-        return SETUP.create(1).in(quietWorld(), new int[3], rages);
+        return MeanMaxWorlds.game(SETUP.create(1), quietWorld(), new int[3], rages);
+    }
+
+    private static MeanMax drawn(int... scores) {
+        return MeanMaxWorlds.game(SETUP.create(1), MeanMaxWorld.draw(SETUP.settings(), 3, 3), scores, 0, 0, 0);
     }
 
     private static MeanMaxWorld quietWorld() {
-        MeanMaxWorld world = MeanMaxWorld.empty(SETUP.settings(), 1, 3, 12);
+        MeanMaxWorld world = MeanMaxWorlds.empty(SETUP.settings(), 1, 12);
         for (int looter = 0; looter < 9; looter++) {
             UnitKind kind = UnitKind.of(looter % 3);
-            int body = world.addUnit(looter, kind, looter / 3, 400, kind.mass(), 0, 0);
+            int body = MeanMaxWorlds.addUnit(world, looter, kind, looter / 3, 400, kind.mass(), 0, 0);
             world.bodies().setPosition(body, 2000 * (looter % 3 - 1), 2000 * (looter / 3 - 1));
         }
         return world;
@@ -106,11 +110,11 @@ class MeanMaxTest extends GameRules<MeanMax> {
     @Test
     void aSunkenTankerIsHarvested() {
         MeanMaxWorld world = quietWorld();
-        int tanker = world.addUnit(9, UnitKind.TANKER, 2, 600, 3.5, 2, 4);
+        int tanker = MeanMaxWorlds.addUnit(world, 9, UnitKind.TANKER, 2, 600, 3.5, 2, 4);
         world.bodies().setPosition(tanker, 1000, -2600);
         world.bodies().setPosition(1, -10, -2600);
         world.bodies().setPosition(0, 1000, -3650);
-        MeanMax game = SETUP.create(1).in(world, new int[3], new int[3]);
+        MeanMax game = MeanMaxWorlds.game(SETUP.create(1), world, new int[3], new int[3]);
         game.command(0, 1, LooterCommand.move(5000, -2600, 300));
         game.command(0, 0, LooterCommand.move(1000, 0, 300));
         game.play();
@@ -145,7 +149,7 @@ class MeanMaxTest extends GameRules<MeanMax> {
     /** Two pass 1 in the same turn: they tie before the third. */
     @Test
     void equalScoresTie() {
-        MeanMax game = SETUP.create(1).in(MeanMaxWorld.draw(SETUP.settings(), 3, 3), new int[] {4, 7, 7}, new int[3]);
+        MeanMax game = drawn(4, 7, 7);
 
         assertEquals(List.of(2, 0, 0), Arrays.stream(game.ranks()).boxed().toList());
     }
@@ -160,8 +164,7 @@ class MeanMaxTest extends GameRules<MeanMax> {
 
     /** A turn later, of scores n, 7 and 2, whose last two are out. */
     private static MeanMax firstAlone(int score) {
-        MeanMax game = SETUP.create(1).in(MeanMaxWorld.draw(SETUP.settings(), 3, 3), new int[] {score, 7, 2},
-            new int[3]);
+        MeanMax game = drawn(score, 7, 2);
         game.eliminate(1, "test");
         game.eliminate(2, "test");
         game.play();
@@ -170,8 +173,8 @@ class MeanMaxTest extends GameRules<MeanMax> {
 
     @Override
     protected MeanMax twin(GameSetup other, MeanMax game) {
-        return ((MeanMax) other.create(1)).in(game.copy().world(), new int[] {game.score(0), game.score(1),
-            game.score(2)}, new int[] {game.rage(0), game.rage(1), game.rage(2)});
+        return MeanMaxWorlds.game((MeanMax) other.create(1), game.copy().world(),
+            new int[] {game.score(0), game.score(1), game.score(2)}, game.rage(0), game.rage(1), game.rage(2));
     }
 
     @Override

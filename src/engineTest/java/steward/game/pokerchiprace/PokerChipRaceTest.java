@@ -32,7 +32,7 @@ class PokerChipRaceTest extends GameRules<PokerChipRace> {
 
     /** A table with a chip of each player, far from each other. */
     private static ChipTable quiet() {
-        ChipTable table = ChipTable.empty(2, 20);
+        ChipTable table = ChipTables.empty(2, 20);
         table.add(0, 15, -100, 100, 0, 0);
         table.add(1, 20, 200, -100, 0, 0);
         return table;
@@ -40,7 +40,7 @@ class PokerChipRaceTest extends GameRules<PokerChipRace> {
 
     @Test
     void aPushEjectsAFifteenthTheOtherWay() {
-        PokerChipRace game = SETUP.create(1).on(quiet(), IN);
+        PokerChipRace game = ChipTables.game(SETUP, quiet(), IN);
         game.command(0, 0, new ChipCommand(0, 100));
         double area = game.bodies().mass[0];
         game.play();
@@ -59,7 +59,7 @@ class PokerChipRaceTest extends GameRules<PokerChipRace> {
     void smallChipsAndNearTargetsAreNotPushed() {
         ChipTable table = quiet();
         table.add(0, ChipTable.SMALL, 0, 0, 0, 0);
-        PokerChipRace game = SETUP.create(1).on(table, IN);
+        PokerChipRace game = ChipTables.game(SETUP, table, IN);
         game.command(0, 0, new ChipCommand(-100.4, 100));
         game.command(0, 1, new ChipCommand(100, 100));
         game.play();
@@ -71,7 +71,7 @@ class PokerChipRaceTest extends GameRules<PokerChipRace> {
     void theBiggerEatsTheSmallerAndKeepsMomentum() {
         ChipTable table = quiet();
         table.add(ChipTable.NEUTRAL, 10, 100, -100, 80, 0);
-        PokerChipRace game = SETUP.create(1).on(table, IN);
+        PokerChipRace game = ChipTables.game(SETUP, table, IN);
         game.play();
         Bodies bodies = game.bodies();
 
@@ -85,7 +85,7 @@ class PokerChipRaceTest extends GameRules<PokerChipRace> {
     void theLastOneWithChipsWins() {
         ChipTable table = quiet();
         table.bodies().setVelocity(0, 300, -200);
-        PokerChipRace game = SETUP.create(1).on(table, IN);
+        PokerChipRace game = ChipTables.game(SETUP, table, IN);
         game.play();
 
         assertEquals("all others are out", game.ending());
@@ -102,11 +102,11 @@ class PokerChipRaceTest extends GameRules<PokerChipRace> {
     @ParameterizedTest
     @CsvSource({"-250, 0, 1", "-150, 0, 0"})
     void twoWhoAreEatenInOneTurn(double speed, int first, int second) {
-        ChipTable table = ChipTable.empty(2, 20);
+        ChipTable table = ChipTables.empty(2, 20);
         table.add(ChipTable.NEUTRAL, 60, 0, 0, 0, 0);
         table.add(0, 15, -200, 0, -speed, 0);
         table.add(1, 15, 200, 0, -200, 0);
-        PokerChipRace game = SETUP.create(1).on(table, IN);
+        PokerChipRace game = ChipTables.game(SETUP, table, IN);
         game.play();
 
         assertEquals("all are out", game.ending());
@@ -143,9 +143,9 @@ class PokerChipRaceTest extends GameRules<PokerChipRace> {
     /** It is asked once, for no line, and is out with the first turn. */
     @Test
     void aPlayerForWhoseChipsThereIsNoPlaceIsOut() {
-        ChipTable table = ChipTable.empty(2, 20);
+        ChipTable table = ChipTables.empty(2, 20);
         table.add(0, 15, -100, 100, 0, 0);
-        PokerChipRace game = SETUP.create(1).on(table, IN);
+        PokerChipRace game = ChipTables.game(SETUP, table, IN);
         assertTrue(game.isIn(1));
         assertEquals(1, SETUP.textCodec(game).orElseThrow().answerLines(1));
         assertEquals(null, SETUP.textCodec(game).orElseThrow().readAnswer(1, new byte[0], 0));
@@ -158,7 +158,7 @@ class PokerChipRaceTest extends GameRules<PokerChipRace> {
 
     @Override
     protected PokerChipRace twin(GameSetup other, PokerChipRace game) {
-        return ((PokerChipRace) other.create(1)).on(game.copy().table(), IN);
+        return ChipTables.game((PokerChipRaceType.PokerChipRaceSetup) other, game.copy().table(), IN);
     }
 
     @Override

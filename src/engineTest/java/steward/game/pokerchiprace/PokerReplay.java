@@ -61,7 +61,7 @@ public final class PokerReplay extends VectorReplay<PokerChipRace> {
 
     @Override
     protected PokerChipRace in(PokerChipRace game, JsonNode state) {
-        ChipTable table = ChipTable.empty(game.players(), state.get("chips").size() + 200);
+        ChipTable table = ChipTables.empty(game.players(), state.get("chips").size() + 200);
         for (JsonNode chip : state.get("chips")) {
             table.takeIdsUpTo(chip.get("id").asInt());
             table.add(chip.get("player").asInt(), chip.get("radius").asDouble(), chip.get("x").asDouble(),
@@ -79,7 +79,7 @@ public final class PokerReplay extends VectorReplay<PokerChipRace> {
         for (int player = 0; player < lost.length; player++) {
             lost[player] = state.get("owners").get(player).get("lostTime").asDouble();
         }
-        return game.on(table, lost);
+        return ChipTables.game((PokerChipRaceType.PokerChipRaceSetup) setup, table, lost);
     }
 
     /** The commands of a turn that was not played end the game in it. */

@@ -43,10 +43,6 @@ public final class StabilityCases {
 
     private StabilityCases() { }
 
-    public static List<StabilityCase> all() {
-        return all(0);
-    }
-
     /** @param crowdImpacts how many impacts each crowd is played for, or 0 for the number of the run length */
     public static List<StabilityCase> all(long crowdImpacts) {
         return List.of(

@@ -103,7 +103,7 @@ public final class TradeoffMeasurement {
                 computed == 0 ? Double.NaN : nanos[r] * errors.get(r).states() / computed, samples.bytes(r));
             off[r] = errors.get(r).quantile(0.99);
         }
-        boolean[] front = ParetoFront.of(nanos, off);
+        boolean[] front = front(nanos, off);
         return IntStream.range(0, cost.length).mapToObj(r -> errors.get(r).row(scene.name(), ladder.get(r).text(),
             impacts, samples, cost[r], ratios(nanos[r] / nanos[usual], jvms[r], jvms[usual]), free[r], freeTurns,
             front[r])).toList();
@@ -140,5 +140,20 @@ public final class TradeoffMeasurement {
     private Advance advance(Accuracy rung, int bodies) {
         PhysicsParts parts = scene.parts();
         return rung.advance(parts.withArithmetic(rung.arithmetic()), bodies);
+    }
+
+    /**
+     * Returns which points are on the Pareto front of cost and error: those that no other point beats in one respect
+     * while being at least as good in the other. Equal points are on it together; NaN never is.
+     */
+    static boolean[] front(double[] cost, double[] error) {
+        boolean[] front = new boolean[cost.length];
+        for (int i = 0; i < front.length; i++) {
+            front[i] = cost[i] == cost[i] && error[i] == error[i];
+            for (int j = 0; j < front.length && front[i]; j++) {
+                front[i] = !(cost[j] <= cost[i] && error[j] <= error[i] && (cost[j] < cost[i] || error[j] < error[i]));
+            }
+        }
+        return front;
     }
 }

@@ -136,12 +136,13 @@ class TradeoffTest {
     @Test
     void theFrontHasAllPointsThatAreNotBeaten() {
         double nan = Double.NaN;
-        assertArrayEquals(new boolean[] {true, false, true, false}, ParetoFront.of(
+        assertArrayEquals(new boolean[] {true, false, true, false}, TradeoffMeasurement.front(
             new double[] {1, 2, 3, 4}, new double[] {5, 5, 1, 2}));
-        assertArrayEquals(new boolean[] {true, true, false}, ParetoFront.of(
+        assertArrayEquals(new boolean[] {true, true, false}, TradeoffMeasurement.front(
             new double[] {1, 1, 1}, new double[] {0, 0, 1e-9}));
-        assertArrayEquals(new boolean[] {false, true}, ParetoFront.of(new double[] {nan, 9}, new double[] {0, 9}));
-        assertEquals(0, ParetoFront.of(new double[0], new double[0]).length);
+        assertArrayEquals(new boolean[] {false, true},
+            TradeoffMeasurement.front(new double[] {nan, 9}, new double[] {0, 9}));
+        assertEquals(0, TradeoffMeasurement.front(new double[0], new double[0]).length);
     }
 
     private static TradeoffRow made(String scene, String rung, double nanos, double error, boolean front) {

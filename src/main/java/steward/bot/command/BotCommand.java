@@ -138,12 +138,7 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
         }
     }
 
-    /** The given name; without one, the name of the builtin bot, the script or the program. */
-    public String displayName() {
-        return displayName(Path.of(""));
-    }
-
-    /** As {@link #displayName()}, where the words are found in a folder. */
+    /** The given name; without one, the name of the builtin bot, the script or the program, found in a folder. */
     public String displayName(Path folder) {
         String program = nameGiver(folder);
         String last = program.substring(program.lastIndexOf('/') + 1);
@@ -160,23 +155,15 @@ public record BotCommand(String name, Prefix prefix, List<String> words) {
     /**
      * The program to start and its arguments, checked: the builtin bot is known, the program exists and is executable.
      *
+     * @param folder where the program and its scripts are found
      * @throws IllegalArgumentException when it cannot be started; the message says what was found and what was expected
      */
-    public List<String> resolve() {
-        return resolve(Path.of(""));
-    }
-
-    /** As {@link #resolve()}, where the program and its scripts are found in a folder. */
     public List<String> resolve(Path folder) {
         return resolve(BuiltinBots.installed(), folder);
     }
 
-    /** As {@link #resolve()}, with builtin bots of the caller's choice. */
-    List<String> resolve(BuiltinBots builtins) {
-        return resolve(builtins, Path.of(""));
-    }
-
-    private List<String> resolve(BuiltinBots builtins, Path folder) {
+    /** As {@link #resolve(Path)}, with builtin bots of the caller's choice. */
+    List<String> resolve(BuiltinBots builtins, Path folder) {
         try {
             if (prefix == Prefix.BUILTIN) {
                 return builtins.command(words.get(0), words.subList(1, words.size()));

@@ -1,8 +1,6 @@
 package steward.bot.hold;
 
-import java.util.Arrays;
 import java.util.Locale;
-import java.util.Optional;
 
 /** Policy for which bots are held (stopped) while others are asked. */
 public enum HoldPolicy {
@@ -17,9 +15,5 @@ public enum HoldPolicy {
     /** Returns the word as it is written in a call. */
     public String word() {
         return name().toLowerCase(Locale.ROOT);
-    }
-
-    public static Optional<HoldPolicy> of(String word) {
-        return Arrays.stream(values()).filter(each -> each.word().equals(word)).findFirst();
     }
 }

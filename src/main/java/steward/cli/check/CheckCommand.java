@@ -11,7 +11,6 @@ import steward.bot.command.BotCommand;
 import steward.cli.options.BotFolders;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.ProgramCommand;
-import steward.cli.options.ProtocolWord;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.TimeLimitOptions;
@@ -25,6 +24,7 @@ import steward.contest.Contest;
 import steward.files.InputException;
 import steward.game.GameSetup;
 import steward.json.JsonObject;
+import steward.match.Protocol;
 import steward.text.TextFormat;
 
 /** {@code steward check}: checks whether a bot is ready to play. */
@@ -55,9 +55,8 @@ public final class CheckCommand extends ProgramCommand {
     private final SceneOptions scene = new SceneOptions();
 
     @Option(names = "--protocol", paramLabel = "P", defaultValue = "json",
-        completionCandidates = ProtocolWord.Candidates.class,
         description = "The protocol of a bot without a prefix: json or codingame (default: ${DEFAULT-VALUE}).")
-    private String protocol;
+    private Protocol protocol;
 
     @Mixin
     private final TimeLimitOptions pace = new TimeLimitOptions();
@@ -74,7 +73,7 @@ public final class CheckCommand extends ProgramCommand {
         GameSetup setup = Games.warn(scene.open(streams), streams);
         Contest empty = Contest.withoutBots(setup, factor).limitedBy(pace.basis())
             .isolatedBy(sandbox.isolation(streams));
-        Contest.Entrant entrant = Contest.entrant(bot, folders.folder(), null, ProtocolWord.parse(protocol));
+        Contest.Entrant entrant = Contest.entrant(bot, folders.folder(), null, protocol);
         return run(streams, empty, entrant.within(pace.own(List.of(entrant.name())).get(entrant.name())),
             folders.folder(), json);
     }

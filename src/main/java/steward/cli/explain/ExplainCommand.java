@@ -3,6 +3,7 @@ package steward.cli.explain;
 import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -16,12 +17,14 @@ import steward.cli.shared.Games;
 import steward.cli.streams.Colour;
 import steward.cli.streams.Json;
 import steward.game.GameSetup;
+import steward.json.JsonObject;
 import steward.physics.Arithmetic;
 import steward.scene.Accuracy;
 import steward.scene.AccuracyChoice;
 import steward.scene.PlanTable;
 import steward.scene.Scene;
 import steward.text.TextFormat;
+import tools.jackson.core.JsonGenerator;
 
 /** {@code steward explain}: prints what a scene contains and which parts of the engine it needs. */
 @Command(name = "explain", description = "Prints the contents of a scene, and which parts of the engine it needs "
@@ -46,7 +49,7 @@ public final class ExplainCommand extends ProgramCommand {
     public Integer call() {
         GameSetup setup = Games.computed(accuracy.open(scene, streams), "explain");
         if (json) {
-            ExplainJson.print(streams, setup);
+            Json.print(streams, out -> write(out, setup));
             return ExitStatus.DONE;
         }
         PrintStream out = streams.out();
@@ -72,6 +75,28 @@ public final class ExplainCommand extends ProgramCommand {
         out.println();
         settings(out, setup.scene());
         return ExitStatus.DONE;
+    }
+
+    private static void write(JsonGenerator out, GameSetup setup) {
+        out.writeStringProperty("scene", setup.scene().name());
+        out.writeStringProperty("game", setup.scene().gameId());
+        out.writeNumberProperty("players", setup.scene().players());
+        JsonObject.writeAll(out, "parts", setup.plan().parts(), part -> {
+            out.writeStringProperty("name", part.name());
+            out.writeBooleanProperty("in", part.in());
+            out.writeStringProperty("why", part.why());
+            out.writeStringProperty("when", part.when().name().toLowerCase(Locale.ROOT));
+        });
+        AccuracyChoice choice = setup.plan().accuracy();
+        out.writeObjectPropertyStart("accuracy");
+        out.writeStringProperty("rung", choice.rung().text());
+        out.writeBooleanProperty("stated", choice.stated());
+        out.writeStringProperty("why", choice.why());
+        if (!choice.met().isEmpty()) {
+            JsonObject.writeTexts(out, "met", choice.met());
+        }
+        out.writeEndObject();
+        JsonObject.writeTexts(out, "warnings", setup.check());
     }
 
     private static void warnings(PrintStream out, Colour colour, List<String> warnings) {

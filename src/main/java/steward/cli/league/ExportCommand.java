@@ -5,8 +5,6 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.HashMap;
-import java.util.Iterator;
-import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -36,21 +34,12 @@ final class ExportCommand extends ProgramCommand {
         description = "The file; - (the default) is the standard output. A name that ends in .csv means CSV.")
     private String out;
 
-    @Option(names = "--format", paramLabel = "csv|jsonl", completionCandidates = Formats.class,
+    @Option(names = "--format", paramLabel = "csv|jsonl",
         description = "The format (default: by the file's name; otherwise jsonl).")
     private String format;
 
     @Option(names = "--overwrite", description = "Replaces a file that exists.")
     private boolean overwrite;
-
-    /** Values of {@code --format}. */
-    static final class Formats implements Iterable<String> {
-
-        @Override
-        public Iterator<String> iterator() {
-            return List.of("csv", "jsonl").iterator();
-        }
-    }
 
     @Override
     public Integer call() {

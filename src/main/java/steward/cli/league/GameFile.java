@@ -3,7 +3,6 @@ package steward.cli.league;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -20,9 +19,6 @@ import steward.league.store.GameLine;
 import steward.league.store.GameStore.Version;
 import steward.text.CsvRow;
 import tools.jackson.core.JacksonException;
-import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.ObjectWriteContext;
-import tools.jackson.core.json.JsonFactory;
 
 /**
  * Format of exported games: CSV with a line for each seat, or JSON Lines with a line for each game; all values are
@@ -30,7 +26,6 @@ import tools.jackson.core.json.JsonFactory;
  */
 final class GameFile {
 
-    private static final JsonFactory JSON = new JsonFactory();
     private static final String SEATS = "seats";
     private static final String SEAT = "seat";
     /** Characters of a line; a game of 100 seats has less. */
@@ -54,15 +49,11 @@ final class GameFile {
     }
 
     static void json(PrintStream out, StoredGame game, Season season, Map<Integer, Version> versions) {
-        StringWriter line = new StringWriter();
-        try (JsonGenerator json = JSON.createGenerator(ObjectWriteContext.empty(), line)) {
-            json.writeStartObject();
+        out.print(JsonObject.text(json -> {
             GameLine.game(game, season).forEach(json::writeStringProperty);
             JsonObject.writeAll(json, SEATS, game.seats(), seat ->
                 GameLine.seat(seat, versions.get(seat.version())).forEach(json::writeStringProperty));
-            json.writeEndObject();
-        }
-        out.print(line + "\n");
+        }) + "\n");
     }
 
     /** A game of a file. */

@@ -3,9 +3,6 @@ package steward.cli.league;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
-import java.util.Iterator;
-import java.util.Optional;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -25,7 +22,6 @@ import steward.files.OutputFiles;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.scene.SceneFiles;
-import steward.text.NearestName;
 
 /** {@code steward league init}: makes the folder of a league. */
 @Command(name = "init", description = "Makes the folder of a league.",
@@ -54,19 +50,10 @@ final class InitCommand extends ProgramCommand {
     @Option(names = "--time-factor", paramLabel = "X", description = "Multiplies the scene's time limits.")
     private Double factor;
 
-    @Option(names = "--keep", paramLabel = "all|lost|failed|none", completionCandidates = Keeps.class,
+    @Option(names = "--keep", paramLabel = "all|lost|failed|none",
         description = "Which replays are kept. all; lost: games that have a loser; failed (default): games in "
             + "which a bot failed; none.")
-    private String keep;
-
-    /** Values of {@code --keep}. */
-    static final class Keeps implements Iterable<String> {
-
-        @Override
-        public Iterator<String> iterator() {
-            return Arrays.stream(KeptReplays.values()).map(KeptReplays::word).iterator();
-        }
-    }
+    private KeptReplays keep;
 
     @Override
     public Integer call() {
@@ -74,7 +61,7 @@ final class InitCommand extends ProgramCommand {
             "--time-factor: found " + factor + ", expected a finite number above 0");
         check.exclusive("--seed", seed.isGiven(), SeedFileOption.NAME, list != null);
         SeedFile seeds = list == null ? null : SeedFile.read(OutputFiles.path(list));
-        KeptReplays kept = keep == null ? KeptReplays.FAILED : keepOf(keep);
+        KeptReplays kept = keep == null ? KeptReplays.FAILED : keep;
         Games.warn(Games.open(scene), streams);
         Path path = league.path();
         LeagueFolder folder = new LeagueFolder(path);
@@ -98,13 +85,6 @@ final class InitCommand extends ProgramCommand {
         streams.out().println("  steward league add " + path + " 'NAME=COMMAND'");
         streams.out().println("  steward league run " + path);
         return ExitStatus.DONE;
-    }
-
-    private KeptReplays keepOf(String word) {
-        Optional<KeptReplays> found = KeptReplays.of(word);
-        check.that(found.isPresent(), "--keep: found '" + word + "', expected all, lost, failed or none"
-            + NearestName.question(word, Arrays.stream(KeptReplays.values()).map(KeptReplays::word).toList(), "'"));
-        return found.orElseThrow();
     }
 
     private static String name(String scene) {

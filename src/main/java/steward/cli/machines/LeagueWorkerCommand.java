@@ -50,7 +50,7 @@ import steward.text.TextFormat;
         "  steward league worker add night attic",
         "  steward league worker invite night --count 40 --until 2030-12-24",
         "  steward league worker revoke night attic"})
-final class LeagueWorkerCommand extends ProgramCommand {
+public final class LeagueWorkerCommand extends ProgramCommand {
 
     private static final List<String> ACTIONS = List.of("add", "invite", "revoke", "pardon", "list", "renew");
 

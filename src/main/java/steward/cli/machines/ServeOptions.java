@@ -18,7 +18,7 @@ import steward.machines.serve.RemoteGames;
 
 /** Options of {@code league run} that let workers play. */
 @OptionSection("Workers")
-final class ServeOptions implements Serving {
+public final class ServeOptions implements Serving {
 
     /** Where a league listens unless told otherwise: only programs of this machine can join. */
     static final String USUAL = "127.0.0.1:7161";

@@ -14,5 +14,5 @@ public @interface OptionSection {
     String value();
 
     /** The command of {@code steward help} that tells of all but the first of them, or nothing. */
-    String elsewhere() default "";
+    String help() default "";
 }

@@ -2,6 +2,7 @@ package steward.cli.options;
 
 import java.util.concurrent.Callable;
 import picocli.CommandLine;
+import steward.cli.shared.WordConverter;
 import steward.cli.streams.Streams;
 
 /** Base class of the program's commands: a call that is checked, and the streams to which it prints. */
@@ -20,7 +21,9 @@ public abstract class ProgramCommand implements Callable<Integer> {
 
     /** Runs the command as a part of another one, with arguments of its own. */
     public final int run(Streams given, String... arguments) throws Exception {
-        new CommandLine(this).parseArgs(arguments);
+        CommandLine line = new CommandLine(this);
+        WordConverter.register(line);
+        line.parseArgs(arguments);
         return on(given).call();
     }
 }

@@ -4,10 +4,8 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -26,7 +24,7 @@ import steward.files.InputException;
 import steward.text.NearestName;
 
 /** Options for the isolation of bots from this machine and from each other. */
-@OptionSection(value = "Isolation", elsewhere = "sandbox")
+@OptionSection(value = "Isolation", help = "sandbox")
 public final class SandboxOptions {
 
     /** How the warning begins that the usual level does not work here. */
@@ -44,13 +42,6 @@ public final class SandboxOptions {
     static final class Levels extends ArrayList<String> {
         Levels() {
             super(List.of(AUTO, "strict", "light", "off"));
-        }
-    }
-
-    /** The words of {@code --hold}. */
-    static final class HoldWords extends ArrayList<String> {
-        HoldWords() {
-            super(Arrays.stream(HoldPolicy.values()).map(HoldPolicy::word).toList());
         }
     }
 
@@ -91,11 +82,11 @@ public final class SandboxOptions {
         description = "Lets bots read this file or folder, which strict would hide. Can be repeated.")
     private List<String> visible = new ArrayList<>();
 
-    @Option(names = "--hold", paramLabel = "burners|always|never", completionCandidates = HoldWords.class,
+    @Option(names = "--hold", paramLabel = "burners|always|never",
         description = "Which bots are stopped while another bot is asked. burners (default at light and strict): "
             + "bots that have used more than a quarter of a processor out of turn, from then on. always: all "
             + "bots. never: bots may think on. Not with --no-deadline.")
-    private String hold;
+    private HoldPolicy hold;
 
     /** The variables that bots are passed by name. */
     public List<String> variables() {
@@ -138,13 +129,9 @@ public final class SandboxOptions {
     }
 
     private HoldPolicy hold(String word) {
-        check.that(hold == null || HoldPolicy.of(hold).isPresent(), "--hold: found '" + hold
-            + "', expected burners, always or never"
-            + NearestName.question(String.valueOf(hold), new HoldWords(), "'"));
-        HoldPolicy policy = Optional.ofNullable(hold).flatMap(HoldPolicy::of).orElse(HoldPolicy.BURNERS);
-        check.that(hold == null || policy != HoldPolicy.BURNERS || !word.equals(SandboxLevel.OFF.word()),
+        check.that(hold != HoldPolicy.BURNERS || !word.equals(SandboxLevel.OFF.word()),
             "--hold burners: expected --sandbox light or strict with it: at off bots can hide what they use");
-        return policy;
+        return hold == null ? HoldPolicy.BURNERS : hold;
     }
 
     private Isolation found(Streams streams, String word, HoldPolicy policy, ResourceLimits limits,

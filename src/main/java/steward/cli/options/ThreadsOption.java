@@ -2,22 +2,11 @@ package steward.cli.options;
 
 import com.sun.management.OperatingSystemMXBean;
 import java.lang.management.ManagementFactory;
-import java.util.Iterator;
-import java.util.List;
 import picocli.CommandLine.Option;
 import steward.cli.streams.Streams;
 
 /** Option for the number of games that are played at the same time. */
 public final class ThreadsOption {
-
-    /** The word that {@code --threads} takes beside numbers. */
-    static final class Auto implements Iterable<String> {
-
-        @Override
-        public Iterator<String> iterator() {
-            return List.of(AUTO).iterator();
-        }
-    }
 
     private static final String AUTO = "auto";
     /** A tenth of two processors is what a system does by itself. */
@@ -25,7 +14,7 @@ public final class ThreadsOption {
 
     private final CallCheck check = CallCheck.withHelp();
 
-    @Option(names = "--threads", paramLabel = "T|auto", completionCandidates = Auto.class,
+    @Option(names = "--threads", paramLabel = "T|auto",
         description = "Plays T games at the same time (default: 1). auto: one less than there are processors, or "
             + "both of two if nothing else runs. Games do not depend on it, but bots that share processors take "
             + "longer to answer.")

@@ -3,7 +3,6 @@ package steward.cli.options;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
-import java.util.Iterator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -24,15 +23,6 @@ public final class TimeLimitOptions {
     private static final String TIME_LIMIT = "--time-limit";
     private static final String FORM = "NAME=" + OwnLimits.FORM;
 
-    /** Values of {@code --time}. */
-    static final class Bases implements Iterable<String> {
-
-        @Override
-        public Iterator<String> iterator() {
-            return TimeBasis.CHOICES.stream().map(TimeBasis::word).iterator();
-        }
-    }
-
     private final CallCheck check = CallCheck.withHelp();
 
     @Option(names = "--time-factor", paramLabel = "X", description = "Multiplies the scene's time limits.")
@@ -41,10 +31,10 @@ public final class TimeLimitOptions {
     @Option(names = "--no-deadline", description = "Waits for answers without a limit.")
     private boolean noDeadline;
 
-    @Option(names = "--time", paramLabel = "wall|cpu", defaultValue = WALL, completionCandidates = Bases.class,
+    @Option(names = "--time", paramLabel = "wall|cpu", defaultValue = WALL,
         description = "The clock of the limits. wall (default): real time, as on the site. cpu: CPU time of the "
             + "bot's processes, all threads summed, and at most ten times as much real time; needs Linux.")
-    private String time;
+    private TimeBasis time;
 
     @Option(names = TIME_LIMIT, paramLabel = FORM, description = "Gives one bot its own limits in milliseconds: "
         + "MS for each answer, FIRST for the first one (default: the scene's, but at least MS). Can be repeated.")
@@ -60,12 +50,10 @@ public final class TimeLimitOptions {
 
     /** Returns the clock of the limits. */
     public TimeBasis basis() {
-        check.that(TimeBasis.of(time).isPresent(), "--time: found '" + time + "', expected wall or cpu");
-        TimeBasis basis = TimeBasis.of(time).get();
-        check.exclusive("--no-deadline", noDeadline, "--time cpu", basis == TimeBasis.CPU);
-        check.that(basis == TimeBasis.WALL || TreeSampler.showsCpuTime(),
+        check.exclusive("--no-deadline", noDeadline, "--time cpu", time == TimeBasis.CPU);
+        check.that(time == TimeBasis.WALL || TreeSampler.showsCpuTime(),
             "--time cpu: this system does not show the CPU time of processes (no /proc/self/stat), expected wall");
-        return basis;
+        return time;
     }
 
     /** Returns a contest with this clock, and with bots that have limits of their own. */

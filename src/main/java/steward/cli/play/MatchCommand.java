@@ -16,7 +16,6 @@ import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.DisplayOptions;
 import steward.cli.options.OptionSection;
 import steward.cli.options.ProgramCommand;
-import steward.cli.options.ProtocolWord;
 import steward.cli.options.RefereeOption;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
@@ -32,6 +31,7 @@ import steward.contest.seeds.Seeds;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
+import steward.match.Protocol;
 import steward.replay.sign.SigningKey;
 import steward.text.TextFormat;
 
@@ -87,9 +87,8 @@ public final class MatchCommand extends ProgramCommand {
     private final BotFolders folders = new BotFolders();
 
     @Option(names = "--protocol", paramLabel = "P", defaultValue = "json",
-        completionCandidates = ProtocolWord.Candidates.class,
         description = "The protocol of bots without a prefix: json or codingame (default: ${DEFAULT-VALUE}).")
-    private String protocol;
+    private Protocol protocol;
 
     @Option(names = "--league-level", paramLabel = "N", description = "Plays by the rules of this league of the "
         + "site, 1 for the lowest (default: the scene's).")
@@ -186,8 +185,8 @@ public final class MatchCommand extends ProgramCommand {
         String problem = alone ? many.problemAlone() : null;
         check.that(problem == null, problem);
         List<Path> own = folders.of("--bot");
-        Contest contest = many.isAny() ? Contest.ofSeries(setup, bots, own, ProtocolWord.parse(protocol), factor)
-            : Contest.of(setup, bots, own, ProtocolWord.parse(protocol), factor);
+        Contest contest = many.isAny() ? Contest.ofSeries(setup, bots, own, protocol, factor)
+            : Contest.of(setup, bots, own, protocol, factor);
         contest = pace.limit(contest);
         contest = sign == null ? contest : contest.signedWith(SigningKey.read(OutputFiles.path(sign)));
         contest = contest.isolatedBy(sandbox.isolation(streams));
@@ -229,7 +228,7 @@ public final class MatchCommand extends ProgramCommand {
         many.check(false, true);
         check.that(bots.size() == 1, "--recorded: found " + TextFormat.count(bots.size(), "bot") + ", expected one");
         Supplier<Isolation> isolation = sandbox.isolation(streams);
-        return new RecordedRun(streams, bots.get(0), folders.of("--bot").get(0), ProtocolWord.parse(protocol), as,
+        return new RecordedRun(streams, bots.get(0), folders.of("--bot").get(0), protocol, as,
             referee.types(), setup -> Contest.withoutBots(setup, factor).isolatedBy(isolation), pace,
             json ? Verbosity.JSON : quiet ? Verbosity.LINE : Verbosity.FULL, strict)
             .play(OutputFiles.path(recorded), many.threads(streams));

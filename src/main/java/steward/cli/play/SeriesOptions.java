@@ -1,9 +1,5 @@
 package steward.cli.play;
 
-import java.util.Arrays;
-import java.util.Iterator;
-import java.util.List;
-import java.util.Optional;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
@@ -12,31 +8,10 @@ import steward.cli.options.ThreadsOption;
 import steward.cli.streams.Streams;
 import steward.contest.Hiccups;
 import steward.contest.KeptReplays;
-import steward.text.NearestName;
 
 /** Options of a series of matches. */
 @OptionSection("Many games")
 final class SeriesOptions {
-
-    /** Values of {@code --keep}. */
-    static final class Keeps implements Iterable<String> {
-
-        @Override
-        public Iterator<String> iterator() {
-            return KEEPS.iterator();
-        }
-    }
-
-    /** Values of {@code --hiccups}. */
-    static final class HiccupWords implements Iterable<String> {
-
-        @Override
-        public Iterator<String> iterator() {
-            return Arrays.stream(Hiccups.values()).map(Hiccups::word).iterator();
-        }
-    }
-
-    private static final List<String> KEEPS = Arrays.stream(KeptReplays.values()).map(KeptReplays::word).toList();
 
     private final CallCheck check = CallCheck.withHelp();
     private boolean isListed;
@@ -53,20 +28,20 @@ final class SeriesOptions {
     @Mixin
     private final ThreadsOption threads = new ThreadsOption();
 
-    @Option(names = "--keep", paramLabel = "all|lost|failed|none", completionCandidates = Keeps.class,
+    @Option(names = "--keep", paramLabel = "all|lost|failed|none",
         description = "Which replays are kept in --out. all (default); lost: games that the first bot lost; "
             + "failed: games in which a bot failed or without a result; none.")
-    private String keep;
+    private KeptReplays keep;
 
     @Option(names = "--why", description = "Also explains the games that the first bot lost: how they ended, from "
         + "which turn it was behind, and the worst of each kind. Compares its values in lost and won games.")
     private boolean why;
 
-    @Option(names = "--hiccups", paramLabel = "replay|count", completionCandidates = HiccupWords.class,
+    @Option(names = "--hiccups", paramLabel = "replay|count",
         description = "How a game is treated that a bot lost on time while other programs kept it from a "
             + "processor for a tenth of its limit or more. replay (default): plays it again with the same seed, "
             + "without charging that waiting. count: counts it. Single games, too.")
-    private String hiccups;
+    private Hiccups hiccups;
 
     @Option(names = "--random", description = "Says that a bot uses random numbers: equal games are independent, "
         + "and all count.")
@@ -92,11 +67,6 @@ final class SeriesOptions {
         check.that(isAny() || !random, "--random is for many games, expected --games or --swap with it");
         check.that(isAny() || !why, "--why is for many games, expected --games or --swap with it");
         check.that(isAny() || keep == null, "--keep is for many games, expected --games or --swap with it");
-        check.that(hiccups == null || Hiccups.of(hiccups).isPresent(),
-            "--hiccups: found '" + hiccups + "', expected replay or count");
-        check.that(keep == null || KeptReplays.of(keep).isPresent(),
-            "--keep: found '" + keep + "', expected all, lost, failed or none"
-                + (keep == null ? "" : NearestName.question(keep, KEEPS, "'")));
         check.that(keep == null || out, "--keep: expected --out with it");
     }
 
@@ -144,11 +114,11 @@ final class SeriesOptions {
     }
 
     KeptReplays keep() {
-        return Optional.ofNullable(keep).flatMap(KeptReplays::of).orElse(KeptReplays.ALL);
+        return keep == null ? KeptReplays.ALL : keep;
     }
 
     Hiccups hiccups() {
-        return Optional.ofNullable(hiccups).flatMap(Hiccups::of).orElse(Hiccups.REPLAY);
+        return hiccups == null ? Hiccups.REPLAY : hiccups;
     }
 
     /** Returns how many games at the same time; warns if there are too few processors for them. */

@@ -18,6 +18,7 @@ import steward.contest.Series;
 import steward.contest.SeriesPlay;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.json.JsonObject;
 import steward.league.page.LeaguePage;
 import steward.replay.page.PageReplays;
 import steward.replay.page.PageTemplate;
@@ -74,7 +75,7 @@ record SeriesPage(Path file, boolean open, boolean overwrite) {
             PageTemplate page = new PageTemplate(FOLDER, Pages.title(contest.entrants().stream()
                 .map(Contest.Entrant::name).toList()));
             page.put("policy", page.policy("'none'", " " + shell.scriptHash(), " " + shell.styleHash()));
-            String data = LeaguePage.inScript(LeaguePage.json(out -> {
+            String data = LeaguePage.inScript(JsonObject.text(out -> {
                 SeriesJson.write(out, series, play, choosers, null);
                 out.writeStringProperty("folder", series.folder() == null ? null : series.folder().toString());
                 replays.write(out, shell, linked);

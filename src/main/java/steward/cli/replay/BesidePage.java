@@ -129,7 +129,7 @@ final class BesidePage {
             template.put("policy", template.policy("'none'", " " + shell.scriptHash(), " " + shell.styleHash()));
             List<ReplayPage.Embedded> replays = List.of(ReplayPage.embedded(files.get(0), types, null),
                 ReplayPage.embedded(files.get(1), types, null));
-            String data = LeaguePage.inScript(LeaguePage.json(out -> {
+            String data = LeaguePage.inScript(JsonObject.text(out -> {
                 JsonObject.writeTexts(out, "files", files.stream().map(file -> file.getFileName().toString()).toList());
                 out.writeNumberProperty("first", firstDifferent);
                 JsonObject.writeTexts(out, "results", results);

@@ -15,7 +15,6 @@ import steward.cli.options.BotFolders;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.OptionSection;
 import steward.cli.options.ProgramCommand;
-import steward.cli.options.ProtocolWord;
 import steward.cli.options.RefereeOption;
 import steward.cli.shared.PlayerChoice;
 import steward.cli.streams.StandardFiles;
@@ -79,9 +78,9 @@ public final class FeedCommand extends ProgramCommand {
         description = "Which player: its number, counted from 0, or its name.")
     private String playerTyped;
 
-    @Option(names = "--protocol", paramLabel = "W", completionCandidates = ProtocolWord.Candidates.class,
+    @Option(names = "--protocol", paramLabel = "W",
         description = "The protocol of a bot without a prefix: json or codingame (default: that of the player).")
-    private String protocol;
+    private Protocol protocol;
 
     @Mixin
     private final RefereeOption referee = new RefereeOption();
@@ -156,9 +155,6 @@ public final class FeedCommand extends ProgramCommand {
         check.that(replace || out == null, "--out is for --replace, expected both");
         check.that(!overwrite || out != null, "--overwrite: expected --out with it");
         check.exclusive("--until", until != null, "--replace", replace);
-        if (protocol != null) {
-            ProtocolWord.parse(protocol);
-        }
         check.that(!json || !StandardFiles.is(out),
             "--json is printed to the standard output, expected a file for --out");
         check.that(!StandardFiles.is(file) || pause == null && until == null,
@@ -175,7 +171,7 @@ public final class FeedCommand extends ProgramCommand {
 
     /** A single word is split as 'match' does, unless it names a file. */
     private BotCommand bot(Protocol recorded) {
-        Protocol usual = protocol == null ? recorded : ProtocolWord.parse(protocol);
+        Protocol usual = protocol == null ? recorded : protocol;
         BotCommand.Prefix prefix = usual == Protocol.CODINGAME ? BotCommand.Prefix.CODINGAME : BotCommand.Prefix.JSON;
         try {
             boolean isFile = !command.get(0).isEmpty()
@@ -189,9 +185,9 @@ public final class FeedCommand extends ProgramCommand {
 
     private Protocol spoken(BotCommand bot) {
         Protocol spoken = bot.prefix() == BotCommand.Prefix.CODINGAME ? Protocol.CODINGAME : Protocol.JSON;
-        if (protocol != null && !spoken.word().equals(protocol)) {
-            throw new InputException("--protocol: found " + protocol + ", expected " + spoken.word() + " or none: '"
-                + bot + "' speaks " + spoken.word());
+        if (protocol != null && spoken != protocol) {
+            throw new InputException("--protocol: found " + protocol.word() + ", expected " + spoken.word()
+                + " or none: '" + bot + "' speaks " + spoken.word());
         }
         return spoken;
     }

@@ -9,12 +9,14 @@ import steward.cli.shared.MatchText;
 import steward.cli.streams.Colour;
 import steward.cli.streams.Json;
 import steward.cli.streams.StandardFiles;
+import steward.json.JsonObject;
 import steward.match.MatchResult;
 import steward.replay.ReplayHeader;
 import steward.replay.feed.FedTurn;
 import steward.replay.feed.Takeover;
 import steward.replay.verify.ReplayDifference;
 import steward.text.TextFormat;
+import tools.jackson.core.JsonGenerator;
 
 /** Report, turn by turn, on whether a bot answers as recorded, with a count of the differences. */
 final class FeedReport {
@@ -102,8 +104,8 @@ final class FeedReport {
         }
         if (session.json()) {
             Json.print(session.streams(), out -> {
-                FeedJson.write(out, session, compared, differing);
-                FeedJson.write(out, outcome, played, file);
+                write(out);
+                write(out, outcome, file);
             });
             return;
         }
@@ -135,6 +137,42 @@ final class FeedReport {
         if (!StandardFiles.is(file)) {
             MatchText.printReplay(text, Path.of(file), header.game());
         }
+    }
+
+    private void write(JsonGenerator out) {
+        out.writeNumberProperty("player", session.player());
+        out.writeStringProperty("name", session.match().header().names().get(session.player()));
+        out.writeStringProperty("bot", session.bot().toString());
+        out.writeStringProperty("protocol", session.protocol().word());
+        out.writeNumberProperty("compared", compared);
+        out.writeNumberProperty("same", compared - differing.size());
+        JsonObject.writeAll(out, "differing", differing, turn -> {
+            out.writeNumberProperty("turn", turn.number());
+            out.writeStringProperty("recordedFault", turn.recordedFault());
+            out.writeStringProperty("fault", turn.fault());
+            JsonObject.writeAll(out, "fields", turn.differences(), difference -> {
+                out.writeStringProperty("field", difference.field());
+                out.writeStringProperty("recorded", difference.recorded());
+                out.writeStringProperty("now", difference.found());
+            });
+        });
+    }
+
+    /** The field {@code played}: the result of letting the bot play; null if it did not. */
+    private void write(JsonGenerator out, Takeover.Outcome outcome, String file) {
+        if (outcome == null) {
+            out.writeNullProperty("played");
+            return;
+        }
+        MatchResult result = outcome.result();
+        out.writeObjectPropertyStart("played");
+        out.writeNumberProperty("turns", played);
+        out.writeNumberProperty("turnsInAll", outcome.turns());
+        out.writeStringProperty("ending", result == null ? null : result.ending());
+        out.writeStringProperty("noResultBecause", outcome.reason());
+        JsonObject.writeTexts(out, "ahead", outcome.ahead());
+        out.writeStringProperty("replay", file);
+        out.writeEndObject();
     }
 
     int status() {

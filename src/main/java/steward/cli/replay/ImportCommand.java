@@ -6,17 +6,14 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.zip.GZIPInputStream;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
-import picocli.CommandLine.TypeConversionException;
 import steward.bot.command.CommandLine;
 import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
@@ -72,7 +69,7 @@ public final class ImportCommand extends ProgramCommand {
         description = "The file of the replay; - is the standard output.")
     private String out;
 
-    @Option(names = "--rules", paramLabel = "live|contest", converter = Edition.class,
+    @Option(names = "--rules", paramLabel = "live|contest",
         description = "The rules of a pod race: those of the live server (default), or those of the contest of "
             + "2016. Other games have the rules of their highest league.")
     private RulesEdition rules;
@@ -135,16 +132,6 @@ public final class ImportCommand extends ProgramCommand {
                 + " --verify   compares every turn with these rules");
         }
         return ExitStatus.DONE;
-    }
-
-    /** Reads the word of an edition. */
-    static final class Edition implements ITypeConverter<RulesEdition> {
-
-        @Override
-        public RulesEdition convert(String word) {
-            return Arrays.stream(RulesEdition.values()).filter(edition -> edition.word().equals(word)).findFirst()
-                .orElseThrow(() -> new TypeConversionException("found '" + word + "', expected live or contest"));
-        }
     }
 
     /** @param replay or {@code null} for the standard output */

@@ -13,7 +13,6 @@ import picocli.CommandLine.Option;
 import steward.cli.options.BotFolders;
 import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.ProgramCommand;
-import steward.cli.options.ProtocolWord;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
@@ -37,6 +36,7 @@ import steward.contest.seeds.Seeds;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
 import steward.league.BotIdentity;
+import steward.match.Protocol;
 import steward.text.TextFormat;
 
 /** {@code steward seeds}: chooses seeds that tell bots apart and are fair to all seats. */
@@ -72,9 +72,8 @@ public final class SeedsCommand extends ProgramCommand {
     private String fill;
 
     @Option(names = "--protocol", paramLabel = "P", defaultValue = "json",
-        completionCandidates = ProtocolWord.Candidates.class,
         description = "What bots without a prefix speak: json or codingame (default: ${DEFAULT-VALUE}).")
-    private String protocol;
+    private Protocol protocol;
 
     @Option(names = "--count", paramLabel = "N", defaultValue = "200",
         description = "How many are chosen (default: ${DEFAULT-VALUE}).")
@@ -115,10 +114,10 @@ public final class SeedsCommand extends ProgramCommand {
         double factor = pace.factor();
         check.that(bots.size() == 2, "--bot: found " + bots.size() + ", expected two: those whose games choose");
         GameSetup setup = Games.warn(scene.open(streams), streams);
-        List<String> all = SprtCommand.withFill(check, bots, fill, setup.scene().players(), "choose");
+        List<String> all = SprtOptions.withFill(check, bots, fill, setup.scene().players(), "choose");
         List<Path> own = new ArrayList<>(folders.of("--bot"));
         folders.of("--fill").forEach(folder -> own.addAll(Collections.nCopies(all.size() - bots.size(), folder)));
-        Contest contest = pace.limit(Contest.ofSeries(setup, all, own, ProtocolWord.parse(protocol), factor))
+        Contest contest = pace.limit(Contest.ofSeries(setup, all, own, protocol, factor))
             .isolatedBy(sandbox.isolation(streams));
         Path path = out == null ? null : OutputFiles.path(out);
         if (path != null) {

@@ -9,9 +9,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import steward.cli.options.BotFolders;
 import steward.cli.options.BuiltinBotWords;
-import steward.cli.options.CallCheck;
 import steward.cli.options.ProgramCommand;
-import steward.cli.options.ProtocolWord;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedFileOption;
@@ -69,9 +67,8 @@ public final class SprtCommand extends ProgramCommand {
     private String fill;
 
     @Option(names = "--protocol", paramLabel = "P", defaultValue = "json",
-        completionCandidates = ProtocolWord.Candidates.class,
         description = "What bots without a prefix speak: json or codingame (default: ${DEFAULT-VALUE}).")
-    private String protocol;
+    private Protocol protocol;
 
     @Mixin
     private final SprtOptions options = new SprtOptions();
@@ -131,10 +128,10 @@ public final class SprtCommand extends ProgramCommand {
         if (options.pool() != null) {
             return againstPool(setup, test, report, factor);
         }
-        List<String> all = withFill(check, bots, fill, setup.scene().players(), "are tested");
+        List<String> all = SprtOptions.withFill(check, bots, fill, setup.scene().players(), "are tested");
         List<Path> own = new ArrayList<>(folders.of("--bot"));
         folders.of("--fill").forEach(folder -> own.addAll(Collections.nCopies(all.size() - bots.size(), folder)));
-        Contest contest = pace.limit(Contest.ofSeries(setup, all, own, ProtocolWord.parse(protocol), factor))
+        Contest contest = pace.limit(Contest.ofSeries(setup, all, own, protocol, factor))
             .isolatedBy(sandbox.isolation(streams));
         List<String> choosers = list.choosers(contest.entrants());
         if (into == null) {
@@ -159,7 +156,7 @@ public final class SprtCommand extends ProgramCommand {
         check.that(players > 1, "--pool: found a scene for " + TextFormat.count(players, "player")
             + ", expected one for two or more");
         Path league = into == null ? null : OutputFiles.path(into);
-        Protocol usual = setup.isGuest() ? Protocol.CODINGAME : ProtocolWord.parse(protocol);
+        Protocol usual = setup.isGuest() ? Protocol.CODINGAME : protocol;
         List<Entrant> entrants = Pool.find(bots, folders.of("--bot"), options.pool(), league, usual);
         if (BotIdentity.ofProgram(entrants.get(0)).equals(BotIdentity.ofProgram(entrants.get(1)))) {
             throw new InputException("found the same program twice, as '" + entrants.get(0).name() + "' and as '"
@@ -199,16 +196,5 @@ public final class SprtCommand extends ProgramCommand {
             scores.add((double) k / (expected - 1), Long.parseLong(words.get(isPenta ? k : expected - 1 - k)));
         }
         return scores;
-    }
-
-    /** Two bots, and another on all other seats. @param which what is done with the two */
-    static List<String> withFill(CallCheck check, List<String> bots, String fill, int players, String which) {
-        check.that(fill == null || players > 2, "--fill is for scenes of three and more players, found one of "
-            + players);
-        check.that(fill != null || players <= 2, "found no --fill, expected one: the scene is for " + players
-            + " players, and two " + which);
-        List<String> all = new ArrayList<>(bots);
-        all.addAll(Collections.nCopies(Math.max(0, players - 2), fill));
-        return all;
     }
 }

@@ -1,27 +1,17 @@
 package steward.cli.sequential;
 
-import java.util.Iterator;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import picocli.CommandLine.Option;
 import steward.cli.options.CallCheck;
 import steward.cli.options.OptionSection;
 import steward.league.sequential.Gsprt;
-import steward.text.NearestName;
 
 /** Options of a sequential test. */
 @OptionSection("The test")
 public final class SprtOptions {
 
-    /** Values of {@code --elo-model}. */
-    static final class Models implements Iterable<String> {
-
-        @Override
-        public Iterator<String> iterator() {
-            return MODELS.iterator();
-        }
-    }
-
-    private static final List<String> MODELS = List.of("normalized", "logistic");
     private static final double MOST_ELO = 1000;
     private static final double HALF = 0.5;
     private static final double ELO = 10;
@@ -58,10 +48,10 @@ public final class SprtOptions {
         description = "The probability of accepting H0 if H1 is true (default: ${DEFAULT-VALUE}).")
     private double beta;
 
-    @Option(names = "--elo-model", paramLabel = "normalized|logistic",
-        completionCandidates = Models.class, description = "The meaning of Elo. normalized (default): by the "
-            + "spread of the scores of a game, 347 points for a standard deviation. logistic: by the mean score.")
-    private String model;
+    @Option(names = "--elo-model", paramLabel = "normalized|logistic", description = "The meaning of Elo. "
+            + "normalized (default): by the spread of the scores of a game, 347 points for a standard deviation. "
+            + "logistic: by the mean score.")
+    private Gsprt.Model model;
 
     @Option(names = "--games", paramLabel = "N",
         description = "Ends after N games without a decision, stored games included.")
@@ -116,10 +106,18 @@ public final class SprtOptions {
         check.that(Math.abs(elo0) <= MOST_ELO, "--elo0: found " + elo0 + ", expected -1000 to 1000");
         check.that(Math.abs(elo1) <= MOST_ELO, "--elo1: found " + elo1 + ", expected -1000 to 1000");
         check.that(elo0 < elo1, "--elo0: found " + elo0 + ", expected less than --elo1, which is " + elo1);
-        String named = model == null ? MODELS.get(0) : model;
-        check.that(MODELS.contains(named), "--elo-model: found '" + model + "', expected normalized or logistic"
-            + NearestName.question(named, MODELS, "'"));
-        return new Gsprt(elo0, elo1, alpha, beta,
-            named.equals("logistic") ? Gsprt.Model.LOGISTIC : Gsprt.Model.NORMALIZED);
+        return new Gsprt(elo0, elo1, alpha, beta, model == null ? Gsprt.Model.NORMALIZED : model);
+    }
+
+    /** Two bots, and another on all other seats. @param which what is done with the two */
+    public static List<String> withFill(CallCheck check, List<String> bots, String fill, int players,
+                                        String which) {
+        check.that(fill == null || players > 2, "--fill is for scenes of three and more players, found one of "
+            + players);
+        check.that(fill != null || players <= 2, "found no --fill, expected one: the scene is for " + players
+            + " players, and two " + which);
+        List<String> all = new ArrayList<>(bots);
+        all.addAll(Collections.nCopies(Math.max(0, players - 2), fill));
+        return all;
     }
 }

@@ -20,7 +20,6 @@ import steward.cli.options.BuiltinBotWords;
 import steward.cli.options.CallCheck;
 import steward.cli.options.OptionSection;
 import steward.cli.options.ProgramCommand;
-import steward.cli.options.ProtocolWord;
 import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedFileOption;
@@ -51,6 +50,7 @@ import steward.league.sequential.Gsprt;
 import steward.league.tune.Spsa;
 import steward.league.tune.TunedCommand;
 import steward.match.OwnLimits;
+import steward.match.Protocol;
 import steward.text.TextFormat;
 
 /**
@@ -119,9 +119,8 @@ public final class TuneCommand extends ProgramCommand {
     private Integer testGames;
 
     @Option(names = "--protocol", paramLabel = "P", defaultValue = "json",
-        completionCandidates = ProtocolWord.Candidates.class,
         description = "What bots without a prefix speak: json or codingame (default: ${DEFAULT-VALUE}).")
-    private String protocol;
+    private Protocol protocol;
 
     @Mixin
     private final SeedOption seed = new SeedOption();
@@ -335,7 +334,7 @@ public final class TuneCommand extends ProgramCommand {
     }
 
     private Contest contest(List<String> bots, List<Path> own) {
-        return Contest.ofSeries(setup, bots, own, ProtocolWord.parse(protocol), factor).limitedBy(pace.basis())
+        return Contest.ofSeries(setup, bots, own, protocol, factor).limitedBy(pace.basis())
             .limitedBy(limits).isolatedBy(sandbox.isolation(streams));
     }
 

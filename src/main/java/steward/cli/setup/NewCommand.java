@@ -15,7 +15,6 @@ import picocli.CommandLine.Parameters;
 import steward.bot.command.BotCommand;
 import steward.bot.command.CommandLine;
 import steward.cli.options.ProgramCommand;
-import steward.cli.options.ProtocolWord;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
 import steward.files.InputException;
@@ -54,10 +53,10 @@ public final class NewCommand extends ProgramCommand {
         description = "The game that it plays, one of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
     private String game;
 
-    @Option(names = "--protocol", paramLabel = "P", completionCandidates = ProtocolWord.Candidates.class,
+    @Option(names = "--protocol", paramLabel = "P",
         description = "The protocol of the bot, json or codingame (default: JSON in python, CodinGame's lines in "
             + "the others).")
-    private String protocol;
+    private Protocol protocol;
 
     @Option(names = "--simulator", description = "Writes a bot that searches, in cpp for the pod race, with "
         + "steward_podrace.hpp: the official turn to the last bit, in one header.")
@@ -85,7 +84,7 @@ public final class NewCommand extends ProgramCommand {
     public Integer call() {
         StarterLanguage wanted = language();
         GameType type = type();
-        Protocol spoken = protocol != null ? ProtocolWord.parse(protocol) : usual(wanted, type);
+        Protocol spoken = protocol != null ? protocol : usual(wanted, type);
         if (simulator && !(wanted == StarterLanguage.CPP && game.equals(Games.FIRST) && spoken == Protocol.CODINGAME)) {
             throw new InputException("--simulator: found LANGUAGE '" + language + "' for " + game
                 + (spoken == Protocol.JSON ? " in json" : "") + ", expected cpp for " + Games.FIRST + " in codingame");

@@ -16,20 +16,12 @@ import steward.game.BotStub.Kind;
 import steward.match.Protocol;
 
 /** Source of a starter bot: a game's {@link BotStub} in the template of a language. */
-final class StarterSource {
+record StarterSource(StarterLanguage language, BotStub stub) {
 
     /** Number of fields in a line of source. */
     private static final int FIELDS_A_LINE = 4;
     /** Characters of a command that stands in one line. */
     private static final int ONE_LINE = 80;
-
-    private final StarterLanguage language;
-    private final BotStub stub;
-
-    private StarterSource(StarterLanguage language, BotStub stub) {
-        this.language = language;
-        this.stub = stub;
-    }
 
     static String of(StarterLanguage language, Protocol protocol, String game, BotStub stub) {
         Map<String, Object> values = new StarterSource(language, stub).values();

@@ -30,7 +30,7 @@ public final class Games {
 
     /** All games. @param trusted whether replays may be played again by the referees that they name */
     public static GameTypes types(boolean trusted) {
-        return GameTypes.installed().hosting(new GuestType(trusted));
+        return GameTypes.installed().withGuests(new GuestType(trusted));
     }
 
     /** The weakest bundled bot of a game, or {@code null} if it has none. */

@@ -17,6 +17,7 @@ import steward.cli.check.CheckDialogue;
 import steward.cli.league.view.GameFailures;
 import steward.cli.shared.Games;
 import steward.contest.Failure;
+import steward.json.JsonObject;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
 import steward.league.page.EmbeddedReplays;
@@ -94,7 +95,7 @@ record AuthorPage(TournamentCommand.Entry entry, int version, List<StoredGame> g
         if (entry.check() != null) {
             entry.check().games().forEach(game -> dialogue(page, game));
         }
-        Files.writeString(file, page.append(any ? Html.endWithReplays(LeaguePage.inScript(LeaguePage.json(out ->
+        Files.writeString(file, page.append(any ? Html.endWithReplays(LeaguePage.inScript(JsonObject.text(out ->
             kept.write(out, shell)))) : Html.END));
     }
 

@@ -92,7 +92,7 @@ final class ProjectorWall implements AutoCloseable {
         String script = Resources.text(FOLDER + "wall.js");
         String style = Resources.text(FOLDER + "wall.css");
         ReplayPage.Shell shell = ReplayPage.shell();
-        String data = LeaguePage.inScript(LeaguePage.json(out -> {
+        String data = LeaguePage.inScript(JsonObject.text(out -> {
             out.writeStringProperty("before", shell.before());
             out.writeStringProperty("after", shell.after());
         }));
@@ -175,7 +175,7 @@ final class ProjectorWall implements AutoCloseable {
     private void show() {
         shown = System.nanoTime();
         Scores scores = table == null ? null : table.apply(played);
-        server.show(LeaguePage.json(out -> {
+        server.show(JsonObject.text(out -> {
             out.writeStringProperty("says", TextFormat.plain(says));
             out.writeBooleanProperty("over", over);
             out.writeNumberProperty("game", kept.size());

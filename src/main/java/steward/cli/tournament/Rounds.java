@@ -15,7 +15,6 @@ import java.util.function.Consumer;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.json.JsonObject;
-import steward.league.page.LeaguePage;
 import steward.scene.json.Block;
 import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
@@ -83,7 +82,7 @@ record Rounds(Path file, List<String> field, List<List<List<String>>> rounds) {
     }
 
     private void write() throws IOException {
-        OutputFiles.replace(file, LeaguePage.json(out -> {
+        OutputFiles.replace(file, JsonObject.text(out -> {
             JsonObject.writeTexts(out, FIELD, field);
             JsonObject.writeAll(out, ROUNDS, rounds, round -> JsonObject.writeTexts(out, GROUPS,
                 round.stream().map(group -> String.join(" ", group)).toList()));

@@ -23,7 +23,6 @@ import steward.cli.check.BotCheck;
 import steward.cli.league.view.LeagueOpening;
 import steward.cli.league.view.PageCommand;
 import steward.cli.options.ProgramCommand;
-import steward.cli.options.ProtocolWord;
 import steward.cli.options.SeedFileOption;
 import steward.cli.options.ShippedScenes;
 import steward.cli.options.ThreadsOption;
@@ -116,9 +115,8 @@ public final class TournamentCommand extends ProgramCommand {
     private String page;
 
     @Option(names = "--protocol", paramLabel = "P", defaultValue = "codingame",
-        completionCandidates = ProtocolWord.Candidates.class,
         description = "The protocol of the programs: json or codingame (default: ${DEFAULT-VALUE}).")
-    private String protocol;
+    private Protocol protocol;
 
     @Option(names = "--compile-limit", paramLabel = "S", defaultValue = "60",
         description = "Seconds for the compilation of one program (default: ${DEFAULT-VALUE}).")
@@ -207,7 +205,6 @@ public final class TournamentCommand extends ProgramCommand {
         Path from = OutputFiles.path(folder);
         Path into = page == null ? from.resolveSibling(from.toAbsolutePath().normalize().getFileName() + "-tournament")
             : OutputFiles.path(page);
-        Protocol spoken = ProtocolWord.parse(protocol);
         Programs programs = Programs.in(from, into);
         limits = pace.own(programs.programs().stream().map(Programs.Program::name).toList());
         Scene opened = Games.open(scene).scene();
@@ -226,18 +223,18 @@ public final class TournamentCommand extends ProgramCommand {
         prepare(into, before);
         try (FolderLock lock = FolderLock.take(new LeagueFolder(into));
              ProjectorWall wall = watch.watch() ? ProjectorWall.start(watch, streams) : null) {
-            return call(from, into, programs, league, settings(league, before), spoken, wall);
+            return call(from, into, programs, league, settings(league, before), wall);
         }
     }
 
     private int call(Path from, Path into, Programs programs, LeagueFolder league, LeagueSettings settings,
-                     Protocol spoken, ProjectorWall wall) throws Exception {
+                     ProjectorWall wall) throws Exception {
         Contest empty = LeagueOpening.contest(league, settings, streams);
-        Contest.checkPlayable(empty.setup(), List.of(new Contest.Entrant("all", "all", spoken, List.of())));
+        Contest.checkPlayable(empty.setup(), List.of(new Contest.Entrant("all", "all", protocol, List.of())));
         programs.others().forEach(other -> streams.err().println("steward: " + TextFormat.plain(other)
             + " is no program, and is passed over"));
-        List<Entry> entries = entries(programs, into, empty, spoken);
-        List<LeagueBot> bots = entries.stream().filter(entry -> entry.check() != null).map(entry -> bot(entry, spoken))
+        List<Entry> entries = entries(programs, into, empty);
+        List<LeagueBot> bots = entries.stream().filter(entry -> entry.check() != null).map(entry -> bot(entry.ready()))
             .toList();
         if (bots.size() < Math.max(1, empty.players())) {
             new IndexPage(entries, null, List.of("Too few programs can run.")).write(into.resolve(INDEX));
@@ -340,7 +337,7 @@ public final class TournamentCommand extends ProgramCommand {
     }
 
     /** Makes ready and checks each program, alone, and writes the pages of the authors. */
-    private List<Entry> entries(Programs programs, Path into, Contest empty, Protocol spoken)
+    private List<Entry> entries(Programs programs, Path into, Contest empty)
             throws IOException, InterruptedException {
         Workshop workshop = new Workshop(into.resolve(Programs.FOLDER).toAbsolutePath().normalize(),
             empty.staging().isolation().get(), TimeUnit.SECONDS.toMillis(compileLimit), bounds(), flags());
@@ -349,7 +346,7 @@ public final class TournamentCommand extends ProgramCommand {
         for (Programs.Program program : programs.programs()) {
             Workshop.Ready ready = workshop.make(program);
             Entry entry = new Entry(ready, ready.problem() != null ? null : BotCheck.of(empty,
-                bot(ready, spoken).entrant()));
+                bot(ready).entrant()));
             entries.add(entry);
             AuthorPage.before(entry).write(page(into, entry));
             streams.err().println(TextFormat.plain(entry.name() + ": " + entry.standing()));
@@ -371,12 +368,8 @@ public final class TournamentCommand extends ProgramCommand {
         }
     }
 
-    private LeagueBot bot(Entry entry, Protocol spoken) {
-        return bot(entry.ready(), spoken);
-    }
-
-    private LeagueBot bot(Workshop.Ready ready, Protocol spoken) {
-        String prefix = spoken == Protocol.CODINGAME ? "codingame:" : "json:";
+    private LeagueBot bot(Workshop.Ready ready) {
+        String prefix = protocol == Protocol.CODINGAME ? "codingame:" : "json:";
         return new LeagueBot(ready.program().name(), prefix + CommandLine.quote(ready.command()),
             ready.files().stream().map(Path::toString).toList(), false, false).in(none -> ready.folder().toString())
             .within(limits.get(ready.program().name()));

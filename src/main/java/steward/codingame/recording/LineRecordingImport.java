@@ -69,16 +69,8 @@ record LineRecordingImport(List<String> sent, List<String> answers, GameSetup se
                     + result.ending());
             }
             return new Imported(result.turns(), result.ending());
-        } catch (RecordingEnds end) {
+        } catch (ImportedMatch.RecordingEnds end) {
             return new Imported(player.answered, null);
-        }
-    }
-
-    /** The recording has no more answers, but by our rules the game goes on. */
-    private static final class RecordingEnds extends RuntimeException {
-
-        RecordingEnds() {
-            super("the recording ends", null, false, false);
         }
     }
 
@@ -121,7 +113,7 @@ record LineRecordingImport(List<String> sent, List<String> answers, GameSetup se
                     + "\", expected the end: turn " + (answered + 1) + " has no answer");
             }
             if (ends) {
-                throw new RecordingEnds();
+                throw new ImportedMatch.RecordingEnds();
             }
             answer.clear();
             byte[] bytes = answers.get(answered++).getBytes(StandardCharsets.UTF_8);

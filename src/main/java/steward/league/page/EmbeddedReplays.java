@@ -22,12 +22,6 @@ import tools.jackson.core.JsonGenerator;
  */
 public record EmbeddedReplays(PageReplays kept, Map<Long, String> linked, ErrorLines errors) {
 
-    /** As the other one does it, with plain titles. */
-    public static EmbeddedReplays of(List<StoredGame> games, Path folder, GameTypes types,
-                                     BiPredicate<StoredGame, Integer> stderr) {
-        return of(games, folder, types, stderr, game -> "Game " + game.id());
-    }
-
     /**
      * The kept replays that can be read, up to a size.
      *

@@ -7,14 +7,11 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.function.Consumer;
 import java.util.function.Function;
-import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.league.StoredGame;
 import steward.replay.page.PageTemplate;
 import steward.replay.page.ReplayPage;
-import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.ObjectWriteContext;
 
 /**
  * HTML page of a league, in one file that opens from disk without a network and contains the latest kept replays. While
@@ -59,7 +56,7 @@ public final class LeaguePage {
         page.put("source", "");
         Function<StoredGame, String> where = game -> game.replay() == null ? null
             : replays.has(game.id()) ? IN_PAGE : folder.resolve(game.replay()).toString();
-        String data = json(out -> {
+        String data = JsonObject.text(out -> {
             LeagueJson.view(out, view, where, replays.errors());
             replays.write(out, shell);
         });
@@ -93,17 +90,6 @@ public final class LeaguePage {
 
     /** Returns the message to an open page: all that it shows, on one line. */
     public static String live(LeagueView view, ErrorLines errors) {
-        return json(out -> LeagueJson.view(out, view, game -> game.replay() == null ? null : LIVE, errors));
-    }
-
-    /** An object of these fields. */
-    public static String json(Consumer<JsonGenerator> fields) {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), bytes)) {
-            out.writeStartObject();
-            fields.accept(out);
-            out.writeEndObject();
-        }
-        return bytes.toString(StandardCharsets.UTF_8);
+        return JsonObject.text(out -> LeagueJson.view(out, view, game -> game.replay() == null ? null : LIVE, errors));
     }
 }

@@ -18,11 +18,6 @@ public final class KnownResults {
 
     private record Game(long seed, int[] lineup, double score, long transcript, int... ranks) { }
 
-    /** None yet of a season's games. */
-    public KnownResults(Season season) {
-        this(season, new Results(season));
-    }
-
     /**
      * Goes on from results.
      *

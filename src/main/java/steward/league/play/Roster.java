@@ -35,11 +35,6 @@ public record Roster(LeagueSettings settings, List<Member> members) {
      */
     public record Member(LeagueBot bot, Version version, Entrant entrant, String stamp, String unsteady) {
 
-        /** One that may play. */
-        public Member(LeagueBot bot, Version version, Entrant entrant, String stamp) {
-            this(bot, version, entrant, stamp, null);
-        }
-
         /** True if it may be started on this machine: it is not for another platform. */
         public boolean playsHere() {
             return bot.playsOn(Platform.here());

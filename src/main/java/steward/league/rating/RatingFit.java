@@ -282,11 +282,6 @@ public final class RatingFit {
         return ELO * ratings[bot];
     }
 
-    /** Variance of a game as a share of that of games without ties, 0..1. */
-    double dispersion() {
-        return dispersion;
-    }
-
     /** Expected points of one bot in a game against another of its component; otherwise NaN. */
     public double expected(int one, int other) {
         return components.together(one, other) ? points(ratings[one] - ratings[other]) : Double.NaN;

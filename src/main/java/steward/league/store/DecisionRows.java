@@ -5,17 +5,12 @@ import java.util.Arrays;
 import java.util.List;
 import steward.league.Decision;
 
-/** Writer of rows of decisions within a running transaction. Not thread-safe. */
-final class DecisionRows {
-
-    private final Database database;
-    private final TextRows lineups;
-
-    /** @param lineups the table of that name */
-    DecisionRows(Database database, TextRows lineups) {
-        this.database = database;
-        this.lineups = lineups;
-    }
+/**
+ * Writer of rows of decisions within a running transaction. Not thread-safe.
+ *
+ * @param lineups the table of that name
+ */
+record DecisionRows(Database database, TextRows lineups) {
 
     void add(int season, Decision.News news) {
         news.made().forEach(each -> add(season, each));

@@ -292,11 +292,6 @@ public final class GameStore implements AutoCloseable {
         return Optional.ofNullable(database.before());
     }
 
-    /** Returns where it is. */
-    public Path file() {
-        return database.file();
-    }
-
     @Override
     public void close() {
         database.close();

@@ -41,7 +41,7 @@ public record Bundle(String hash, byte[] bytes) {
     static final String LIST = "bundle.json";
     /** Where files are in it that are in the folder of the call; and all others. */
     static final String HERE = "here/";
-    private static final String ELSEWHERE = "elsewhere/";
+    private static final String ABSOLUTE = "elsewhere/";
     /** Where files of a platform are whose command has a folder of its own; the platform follows. */
     private static final String ON = "on/";
 
@@ -165,7 +165,7 @@ public record Bundle(String hash, byte[] bytes) {
     private static String place(Path typed, Path file, String folder) {
         Path plain = typed.normalize();
         boolean here = !plain.isAbsolute() && !plain.startsWith("..") && !plain.toString().isEmpty();
-        StringBuilder place = new StringBuilder(here ? folder : ELSEWHERE);
+        StringBuilder place = new StringBuilder(here ? folder : ABSOLUTE);
         for (Path part : here ? plain : file.normalize()) {
             place.append(place.charAt(place.length() - 1) == '/' ? "" : "/").append(part);
         }

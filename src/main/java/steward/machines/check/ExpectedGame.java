@@ -19,9 +19,4 @@ public record ExpectedGame(long seed, List<String> names, List<Protocol> protoco
         names = List.copyOf(names);
         protocols = List.copyOf(protocols);
     }
-
-    /** A game in which all have the limits of the scene. */
-    public ExpectedGame(long seed, List<String> names, List<Protocol> protocols) {
-        this(seed, names, protocols, Map.of());
-    }
 }

@@ -1,10 +1,12 @@
 package steward.machines.wire;
 
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import steward.bot.TimeBasis;
 import steward.bot.hold.HoldPolicy;
 import steward.contest.Hiccups;
 import steward.scene.json.Block;
+import steward.text.EnumWords;
 
 /** Messages from a league to one worker, parsed strictly; a {@link GameJob} is offered to all workers. */
 public interface LeagueWord {
@@ -101,16 +103,18 @@ public interface LeagueWord {
         if (!(factor > 0)) {
             throw header.error("factor", header.shown("factor"), "a number above 0 as a text");
         }
-        TimeBasis basis = TimeBasis.of(header.text("basis")).orElseThrow(() ->
-            header.error("basis", header.shown("basis"), "wall or cpu"));
-        Hiccups hiccups = Hiccups.of(header.text("hiccups")).orElseThrow(() ->
-            header.error("hiccups", header.shown("hiccups"), "replay or count"));
-        HoldPolicy hold = HoldPolicy.of(header.text("hold")).orElseThrow(() ->
-            header.error("hold", header.shown("hold"), "burners, always or never"));
+        TimeBasis basis = word(header, "basis", TimeBasis.CHOICES);
+        Hiccups hiccups = word(header, "hiccups", List.of(Hiccups.values()));
+        HoldPolicy hold = word(header, "hold", List.of(HoldPolicy.values()));
         boolean fetched = header.has("bundle");
         return new Welcome(header.text("version"), header.text("rules"), header.has("jar") ? header.text("jar") : null,
             factor, basis, hiccups, hold, fetched && scene.length == 0 ? null : new String(scene,
             StandardCharsets.UTF_8),
             fetched ? header.text("bundle") : null, fetched ? header.integer("size", 1, most) : 0);
+    }
+
+    private static <E extends Enum<E>> E word(Block header, String field, List<E> choices) {
+        return EnumWords.find(choices, header.text(field)).orElseThrow(() ->
+            header.error(field, header.shown(field), EnumWords.listed(choices)));
     }
 }

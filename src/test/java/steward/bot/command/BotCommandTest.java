@@ -18,6 +18,8 @@ import steward.bot.process.ScriptedBots;
 /** How a bot is named on the command line, and what is said when it cannot be started. */
 class BotCommandTest {
 
+    private static final Path HERE = Path.of("");
+
     private static void reads(String text, String name, Prefix prefix, String... words) {
         BotCommand command = BotCommand.parse(text);
         assertEquals(new BotCommand(name, prefix, List.of(words)), command, text);
@@ -25,7 +27,7 @@ class BotCommandTest {
     }
 
     private static String failure(String text) {
-        return assertThrows(IllegalArgumentException.class, () -> BotCommand.parse(text).resolve()).getMessage();
+        return assertThrows(IllegalArgumentException.class, () -> BotCommand.parse(text).resolve(HERE)).getMessage();
     }
 
     @Test
@@ -85,18 +87,18 @@ class BotCommandTest {
     @Test
     void aBotIsDisplayedByItsNameOrItsProgram(@TempDir Path folder) throws IOException {
         Path script = Files.createFile(folder.resolve("b.py"));
-        assertEquals("blue", BotCommand.parse("blue=./a.out").displayName());
-        assertEquals("a.out", BotCommand.parse("bin/a.out map.json").displayName());
-        assertEquals("racer", BotCommand.parse("builtin:racer").displayName());
-        assertEquals("b.py", BotCommand.parse("python3 -u " + script).displayName());
-        assertEquals("python3", BotCommand.parse("python3 -m nothing.of.this.name").displayName());
+        assertEquals("blue", BotCommand.parse("blue=./a.out").displayName(HERE));
+        assertEquals("a.out", BotCommand.parse("bin/a.out map.json").displayName(HERE));
+        assertEquals("racer", BotCommand.parse("builtin:racer").displayName(HERE));
+        assertEquals("b.py", BotCommand.parse("python3 -u " + script).displayName(HERE));
+        assertEquals("python3", BotCommand.parse("python3 -m nothing.of.this.name").displayName(HERE));
     }
 
     @Test
     void aCommandThatIsThereResolvesToItsWords() {
         ScriptedBots.assumeShell();
-        assertEquals(List.of("sh", "-c", "echo 1"), BotCommand.parse("x=sh -c 'echo 1'").resolve());
-        assertEquals(List.of("sh"), BotCommand.parse("codingame:sh").resolve());
+        assertEquals(List.of("sh", "-c", "echo 1"), BotCommand.parse("x=sh -c 'echo 1'").resolve(HERE));
+        assertEquals(List.of("sh"), BotCommand.parse("codingame:sh").resolve(HERE));
     }
 
     @Test
@@ -125,13 +127,13 @@ class BotCommandTest {
             failure(source.toString()));
         assertTrue(plain.toFile().setExecutable(true));
         assumeTrue(Files.isExecutable(plain), "files in the temporary directory cannot be executable");
-        assertEquals(List.of(plain.toString()), BotCommand.parse(plain.toString()).resolve());
+        assertEquals(List.of(plain.toString()), BotCommand.parse(plain.toString()).resolve(HERE));
     }
 
     @Test
     void builtinBotsStartTheJvmThatIsRunning() {
         BuiltinBots builtins = new BuiltinBots("racer = pod a.b.Racer --mild 'x y'");
-        List<String> command = BotCommand.parse("builtin:racer --fast").resolve(builtins);
+        List<String> command = BotCommand.parse("builtin:racer --fast").resolve(builtins, HERE);
         assertEquals(Path.of(System.getProperty("java.home"), "bin", "java").toString(), command.get(0));
         int end = command.size();
         assertEquals(List.of("-cp", System.getProperty("java.class.path"), "a.b.Racer", "--mild", "x y", "--fast"),
@@ -166,7 +168,7 @@ class BotCommandTest {
         assertEquals(List.of("racer", "blocker", "plain"), builtins.names());
         assertEquals(List.of("racer", "plain"), builtins.of("pod"));
         Exception near = assertThrows(IllegalArgumentException.class,
-            () -> BotCommand.parse("builtin:Racr").resolve(builtins));
+            () -> BotCommand.parse("builtin:Racr").resolve(builtins, HERE));
         assertEquals("bot 'builtin:Racr': there is no builtin bot 'Racr'; did you mean 'racer'?"
             + " There are: racer, plain (pod); blocker (ball)", near.getMessage());
         Exception far = assertThrows(IllegalArgumentException.class, () -> builtins.command("zzz", List.of()));

@@ -113,7 +113,8 @@ final class PageGallery {
         Path page = folder.resolve("league-of-" + bots + ".html");
         try (OutputStream html = Files.newOutputStream(page)) {
             LeagueView view = PageTestLeague.of(bots, rounds);
-            LeaguePage.write(view, folder, EmbeddedReplays.of(view.games(), folder, null, null), html, "League night");
+            LeaguePage.write(view, folder, EmbeddedReplays.of(view.games(), folder, null, null,
+                game -> "Game " + game.id()), html, "League night");
         }
         return page;
     }

@@ -21,6 +21,7 @@ import steward.league.MemoryLeague;
 import steward.league.Schedule;
 import steward.league.Season;
 import steward.league.rating.Ratings;
+import steward.league.rating.Results;
 import steward.match.TestSize;
 
 /** Who plays whom, and when it ends, follows from results alone: not from threads and not from interruptions. */
@@ -43,7 +44,7 @@ class AdaptivePairingTest {
         Play(int players, MemoryLeague league, Iterable<Schedule.Task> stored) {
             this.league = league;
             season = Season.of("crowd", "key", "limits", "rules", players, false);
-            known = new KnownResults(season);
+            known = new KnownResults(season, new Results(season));
             stored.forEach(this::know);
             schedule = league.schedule(LAG, BOTS);
             end = new LeagueEnd(RULE, known, LAG, schedule::active, (one, other) -> true);
@@ -128,7 +129,7 @@ class AdaptivePairingTest {
         AdaptivePairing pairing = new AdaptivePairing(versions, 2, LAG, RULE, before -> null);
         int[] games = new int[bots];
         for (int decision = 0; decision < AdaptivePairing.FIRST * bots * (bots - 1) / 2; decision++) {
-            int[] group = pairing.choose();
+            int[] group = pairing.choose(any -> true);
             pairing.made(1, group);
             games[group[0]]++;
             games[group[1]]++;

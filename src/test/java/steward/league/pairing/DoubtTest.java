@@ -43,7 +43,7 @@ class DoubtTest {
         Map<List<Integer>, Integer> games = new HashMap<>();
         for (int decision = 0; decision < 300; decision++) {
             pairing.next(decision);
-            int[] group = pairing.choose();
+            int[] group = pairing.choose(any -> true);
             pairing.made(1, group);
             games.merge(List.of(group[0], group[1]), 1, Integer::sum);
         }
@@ -58,7 +58,7 @@ class DoubtTest {
             decision -> ratings(10, games.keySet().stream().map(DoubtTest::three).toArray(Stratum[]::new)));
         for (int decision = 0; decision < 200; decision++) {
             pairing.next(decision);
-            int[] group = pairing.choose();
+            int[] group = pairing.choose(any -> true);
             pairing.made(1, group);
             games.merge(List.of(group[0], group[1], group[2]), 1, Integer::sum);
         }
@@ -117,7 +117,7 @@ class DoubtTest {
         Map<List<Integer>, Integer> games = new HashMap<>();
         for (int decision = 0; decision < 3000; decision++) {
             pairing.next(decision);
-            int[] group = pairing.choose();
+            int[] group = pairing.choose(any -> true);
             pairing.made(1, group);
             games.merge(List.of(group[0], group[1]), 1, Integer::sum);
         }

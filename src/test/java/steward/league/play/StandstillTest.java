@@ -28,7 +28,7 @@ class StandstillTest {
     private static Member member(String name) {
         LeagueBot bot = new LeagueBot(name, "sh bot.sh", List.of(), false, false);
         return new Member(bot, new GameStore.Version(1, name, 1, bot.command(), false, name, 0, false, null),
-            Contest.entrant(bot.typed(), Protocol.JSON), "");
+            Contest.entrant(bot.typed(), Protocol.JSON), "", null);
     }
 
     private Optional<String> look(IdleWatch standstill, int millis) {

@@ -217,7 +217,7 @@ class TranscriptTest {
         assertTrue(game.disproof("{\"bots\":[", "{\"more\":1,\"bots\":[").contains("\"more\""));
         String other = assertThrows(DisprovedException.class, () -> new TranscriptCheck(game.contest()).check("a game",
             game.transcript(), new ExpectedGame(SEED + 1, game.expected().names(),
-                game.expected().protocols()))).getMessage();
+                game.expected().protocols(), Map.of()))).getMessage();
         assertTrue(other.startsWith("a game"), other);
         byte[] sent = GzipText.bytes(game.transcript());
         for (int length = 0; length < sent.length; length += 1 + sent.length / 50) {

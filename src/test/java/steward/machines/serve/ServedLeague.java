@@ -243,7 +243,7 @@ abstract class ServedLeague {
         LeagueSettings settings = new LeagueFolder(folder.resolve(league)).read();
         List<Member> members = Stream.of(one, other).map(settings.active()::get).map(bot -> new Member(bot,
             new GameStore.Version(1, bot.name(), 1, bot.command(), false, bot.name(), 0, false, null),
-            Contest.entrant(bot.typed(), Protocol.JSON), "")).toList();
+            Contest.entrant(bot.typed(), Protocol.JSON), "", null)).toList();
         return new RemoteMachines.Game(new Schedule.Task(0, 5, 1, 1), settings, members, 1);
     }
 

@@ -33,11 +33,6 @@ public final class BodiesJson extends CommandsJson<Thrust> {
     public record Disc(int id, double x, double y, double vx, double vy) { }
 
     @Override
-    public Class<State> stateType() {
-        return State.class;
-    }
-
-    @Override
     public void writeSetup(JsonGenerator out, int player) {
         out.writeNumberProperty("maximumTurns", game.rules().maximumTurns());
         JsonNumbers.write(out, "maximumThrust", game.rules().maximumThrust());

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import steward.game.BotStub;
+import steward.game.AbstractGameType;
 import steward.game.Game;
 import steward.game.GameJson;
 import steward.game.GameSetup;
@@ -23,26 +23,12 @@ import steward.scene.Scene;
 import steward.scene.json.Wording;
 
 /** The game {@code bodies} as a {@link GameType}. */
-public final class BodiesType implements GameType {
+public final class BodiesType extends AbstractGameType {
 
-    @Override
-    public String id() {
-        return "bodies";
-    }
-
-    @Override
-    public BotStub lineStub() {
-        return BodiesStub.LINES;
-    }
-
-    @Override
-    public BotStub frameStub() {
-        return BodiesStub.FRAMES;
-    }
-
-    @Override
-    public String about() {
-        return "discs and walls that a scene lists, with or without players";
+    /** The game as the program lists it. */
+    public BodiesType() {
+        super("bodies", "discs and walls that a scene lists, with or without players", null, 0, MOST_PLAYERS,
+            () -> BodiesStub.LINES, () -> BodiesStub.FRAMES);
     }
 
     @Override
@@ -57,11 +43,6 @@ public final class BodiesType implements GameType {
             case "gas" -> "a thousand discs that cover 10% of a box";
             default -> about();
         };
-    }
-
-    @Override
-    public int fewestPlayers() {
-        return 0;
     }
 
     @Override

@@ -75,11 +75,6 @@ public final class FantasticBitsJson extends CommandsJson<WizardCommand> {
     }
 
     @Override
-    public Class<State> stateType() {
-        return State.class;
-    }
-
-    @Override
     public void writeSetup(JsonGenerator out, int player) {
         Variant variant = game.settings().variant();
         out.writeStringProperty("variant", variant.text());

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import steward.Internal;
-import steward.game.BotStub;
+import steward.game.AbstractGameType;
 import steward.game.Game;
 import steward.game.GameJson;
 import steward.game.GameSetup;
@@ -32,31 +32,13 @@ import steward.scene.Scene;
 import steward.scene.json.Block;
 
 /** Fantastic Bits as a {@link GameType}. */
-public final class FantasticBitsType implements GameType {
+public final class FantasticBitsType extends AbstractGameType {
 
-    @Override
-    public String id() {
-        return "fantastic-bits";
-    }
-
-    @Override
-    public BotStub lineStub() {
-        return FantasticBitsStub.LINES;
-    }
-
-    @Override
-    public BotStub frameStub() {
-        return FantasticBitsStub.FRAMES;
-    }
-
-    @Override
-    public String weakestBot() {
-        return "chaser";
-    }
-
-    @Override
-    public String about() {
-        return "Fantastic Bits, the official rules, two players";
+    /** The game as the program lists it. */
+    public FantasticBitsType() {
+        super("fantastic-bits", "Fantastic Bits, the official rules, two players", "chaser",
+            FantasticBitsSettings.PLAYERS, FantasticBitsSettings.PLAYERS,
+            () -> FantasticBitsStub.LINES, () -> FantasticBitsStub.FRAMES);
     }
 
     @Override
@@ -75,16 +57,6 @@ public final class FantasticBitsType implements GameType {
     @Internal
     public Optional<ViewWriter> viewWriter() {
         return Optional.of(new FantasticBitsViews());
-    }
-
-    @Override
-    public int fewestPlayers() {
-        return FantasticBitsSettings.PLAYERS;
-    }
-
-    @Override
-    public int mostPlayers() {
-        return FantasticBitsSettings.PLAYERS;
     }
 
     /** Bludgers come with the second league, spells with the third. */

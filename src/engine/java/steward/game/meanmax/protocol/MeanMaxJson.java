@@ -54,11 +54,6 @@ public final class MeanMaxJson extends CommandsJson<LooterCommand> {
                         Integer looter) { }
 
     @Override
-    public Class<State> stateType() {
-        return State.class;
-    }
-
-    @Override
     public void writeSetup(JsonGenerator out, int player) {
         JsonNumbers.write(out, "arenaRadius", MeanMaxWorld.ARENA_RADIUS);
         JsonNumbers.write(out, "waterRadius", MeanMaxWorld.WATER_RADIUS);

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import steward.Internal;
-import steward.game.BotStub;
+import steward.game.AbstractGameType;
 import steward.game.Game;
 import steward.game.GameJson;
 import steward.game.GameSetup;
@@ -30,33 +30,15 @@ import steward.scene.Plan;
 import steward.scene.Scene;
 
 /** Mean Max as a {@link GameType}. */
-public final class MeanMaxType implements GameType {
+public final class MeanMaxType extends AbstractGameType {
 
     private static final int TANKERS = 3;
 
-    @Override
-    public String id() {
-        return "mean-max";
-    }
-
-    @Override
-    public BotStub lineStub() {
-        return MeanMaxStub.LINES;
-    }
-
-    @Override
-    public BotStub frameStub() {
-        return MeanMaxStub.FRAMES;
-    }
-
-    @Override
-    public String weakestBot() {
-        return "gatherer";
-    }
-
-    @Override
-    public String about() {
-        return "Mean Max, the official rules, three players";
+    /** The game as the program lists it. */
+    public MeanMaxType() {
+        super("mean-max", "Mean Max, the official rules, three players", "gatherer",
+            MeanMaxSettings.PLAYERS, MeanMaxSettings.PLAYERS,
+            () -> MeanMaxStub.LINES, () -> MeanMaxStub.FRAMES);
     }
 
     @Override
@@ -68,16 +50,6 @@ public final class MeanMaxType implements GameType {
     @Override
     public Optional<ServerView> serverView() {
         return Optional.of(ServerView.ofSeed("meanmax", "mean-max"));
-    }
-
-    @Override
-    public int fewestPlayers() {
-        return MeanMaxSettings.PLAYERS;
-    }
-
-    @Override
-    public int mostPlayers() {
-        return MeanMaxSettings.PLAYERS;
     }
 
     @Override

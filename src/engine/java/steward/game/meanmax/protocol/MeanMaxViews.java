@@ -163,7 +163,7 @@ final class MeanMaxViews implements ViewWriter {
                 int full = (int) game.log().factP(k);
                 view.add(id + "@" + full);
                 if (wrecks.stream().noneMatch(wreck -> wreck.id() == id)) {
-                    emptied.add(id + "@" + (full - harvestedElsewhere()) + " d");
+                    emptied.add(id + "@" + (full - harvestedFromOthers()) + " d");
                 }
             }
         }
@@ -173,7 +173,7 @@ final class MeanMaxViews implements ViewWriter {
     }
 
     /** Water harvested in this turn, but for that of a wreck that came and went in it. */
-    private int harvestedElsewhere() {
+    private int harvestedFromOthers() {
         int harvested = totalScore() - scoreBefore;
         for (Wreck wreck : wrecksBefore) {
             harvested -= waterBefore.get(wreck.id()) - wreck.water();

@@ -60,11 +60,6 @@ public final class PodRaceJson implements GameJson {
                       boolean boostLeft, int passed) { }
 
     @Override
-    public Class<State> stateType() {
-        return State.class;
-    }
-
-    @Override
     public void writeSetup(JsonGenerator out, int player) {
         out.writeNumberProperty("podsPerPlayer", settings.podsPerPlayer());
         out.writeNumberProperty("laps", settings.laps());

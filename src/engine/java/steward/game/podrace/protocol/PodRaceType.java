@@ -6,7 +6,7 @@ import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
 import steward.Internal;
-import steward.game.BotStub;
+import steward.game.AbstractGameType;
 import steward.game.Game;
 import steward.game.GameJson;
 import steward.game.GameSetup;
@@ -28,26 +28,12 @@ import steward.scene.Plan;
 import steward.scene.Scene;
 
 /** The pod race as a {@link GameType}. */
-public final class PodRaceType implements GameType {
+public final class PodRaceType extends AbstractGameType {
 
-    @Override
-    public String id() {
-        return "pod-race";
-    }
-
-    @Override
-    public BotStub lineStub() {
-        return PodRaceStub.LINES;
-    }
-
-    @Override
-    public BotStub frameStub() {
-        return PodRaceStub.FRAMES;
-    }
-
-    @Override
-    public String weakestBot() {
-        return "racer";
+    /** The game as the program lists it. */
+    public PodRaceType() {
+        super("pod-race", "the official rules of pod-race", "racer", 1, MOST_PLAYERS,
+            () -> PodRaceStub.LINES, () -> PodRaceStub.FRAMES);
     }
 
     @Override

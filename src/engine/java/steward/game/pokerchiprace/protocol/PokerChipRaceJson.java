@@ -46,11 +46,6 @@ public final class PokerChipRaceJson extends CommandsJson<ChipCommand> {
     public record Chip(int id, Integer player, double radius, double x, double y, double vx, double vy) { }
 
     @Override
-    public Class<State> stateType() {
-        return State.class;
-    }
-
-    @Override
     public void writeSetup(JsonGenerator out, int player) {
         writeField(out);
         out.writeNumberProperty("smallRadius", (int) ChipTable.SMALL);

@@ -3,7 +3,7 @@ package steward.game.pokerchiprace.protocol;
 import java.util.List;
 import java.util.Optional;
 import steward.Internal;
-import steward.game.BotStub;
+import steward.game.AbstractGameType;
 import steward.game.Game;
 import steward.game.GameJson;
 import steward.game.GameSetup;
@@ -27,31 +27,13 @@ import steward.scene.Plan;
 import steward.scene.Scene;
 
 /** The Poker Chip Race as a {@link GameType}. */
-public final class PokerChipRaceType implements GameType {
+public final class PokerChipRaceType extends AbstractGameType {
 
-    @Override
-    public String id() {
-        return "poker-chip-race";
-    }
-
-    @Override
-    public BotStub lineStub() {
-        return PokerChipRaceStub.LINES;
-    }
-
-    @Override
-    public BotStub frameStub() {
-        return PokerChipRaceStub.FRAMES;
-    }
-
-    @Override
-    public String weakestBot() {
-        return "nibbler";
-    }
-
-    @Override
-    public String about() {
-        return "Poker Chip Race, the official rules, two to four players";
+    /** The game as the program lists it. */
+    public PokerChipRaceType() {
+        super("poker-chip-race", "Poker Chip Race, the official rules, two to four players", "nibbler",
+            PokerChipRaceSettings.FEWEST_PLAYERS, PokerChipRaceSettings.MOST_PLAYERS,
+            () -> PokerChipRaceStub.LINES, () -> PokerChipRaceStub.FRAMES);
     }
 
     @Override
@@ -63,16 +45,6 @@ public final class PokerChipRaceType implements GameType {
     @Override
     public Optional<ServerView> serverView() {
         return Optional.of(new PokerChipRaceView());
-    }
-
-    @Override
-    public int fewestPlayers() {
-        return PokerChipRaceSettings.FEWEST_PLAYERS;
-    }
-
-    @Override
-    public int mostPlayers() {
-        return PokerChipRaceSettings.MOST_PLAYERS;
     }
 
     @Override

@@ -42,11 +42,6 @@ public final class SearchRaceJson implements GameJson {
     public record Car(int id, double x, double y, double vx, double vy, int player, double heading, int passed) { }
 
     @Override
-    public Class<State> stateType() {
-        return State.class;
-    }
-
-    @Override
     public void writeSetup(JsonGenerator out, int player) {
         SearchRaceSettings settings = race.settings();
         out.writeNumberProperty("laps", settings.laps());

@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
-import steward.game.BotStub;
+import steward.game.AbstractGameType;
 import steward.game.Game;
 import steward.game.GameJson;
 import steward.game.GameSetup;
@@ -22,31 +22,12 @@ import steward.scene.Plan;
 import steward.scene.Scene;
 
 /** The search race as a {@link GameType}. */
-public final class SearchRaceType implements GameType {
+public final class SearchRaceType extends AbstractGameType {
 
-    @Override
-    public String id() {
-        return "search-race";
-    }
-
-    @Override
-    public BotStub lineStub() {
-        return SearchRaceStub.LINES;
-    }
-
-    @Override
-    public BotStub frameStub() {
-        return SearchRaceStub.FRAMES;
-    }
-
-    @Override
-    public String weakestBot() {
-        return "driver";
-    }
-
-    @Override
-    public String about() {
-        return "the official rules and maps, one car alone against the clock";
+    /** The game as the program lists it. */
+    public SearchRaceType() {
+        super("search-race", "the official rules and maps, one car alone against the clock", "driver", 1, 1,
+            () -> SearchRaceStub.LINES, () -> SearchRaceStub.FRAMES);
     }
 
     @Override
@@ -62,11 +43,6 @@ public final class SearchRaceType implements GameType {
     @Override
     public Optional<ViewWriter> viewWriter() {
         return Optional.of(new SearchRaceViews());
-    }
-
-    @Override
-    public int mostPlayers() {
-        return 1;
     }
 
     @Override

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import steward.game.GameAnswers;
 import steward.game.pokerchiprace.ChipCommand;
 import steward.game.pokerchiprace.ChipTable;
+import steward.game.pokerchiprace.ChipTables;
 import steward.game.pokerchiprace.PokerChipRace;
 import steward.json.JsonObject;
 
@@ -26,14 +27,14 @@ class ChipAnswersTest extends GameAnswers<PokerChipRaceType.PokerChipRaceSetup, 
 
     /** Player 1 has chips 2, 3 and 5, of which 5 is too small to push itself; 0 and 4 are neutral. */
     private static PokerChipRace game(PokerChipRaceType.PokerChipRaceSetup setup) {
-        ChipTable table = ChipTable.empty(2, 10);
+        ChipTable table = ChipTables.empty(2, 10);
         table.add(ChipTable.NEUTRAL, 10, -300, 0, 1, -0.0);
         table.add(0, 20, -200, 0, 0, 0);
         table.add(1, 20, 0, 0, 0.1234565, -1e-9);
         table.add(1, 20, 100, 0, 0, 0);
         table.add(ChipTable.NEUTRAL, 5, 200, 0, 0, 0);
         table.add(1, 5, 300, 0, 0, 0);
-        return setup.create(1).on(table, new double[] {-1, -1});
+        return ChipTables.game(setup, table, -1, -1);
     }
 
     @Test

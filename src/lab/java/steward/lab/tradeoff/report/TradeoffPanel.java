@@ -21,7 +21,7 @@ import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 
 /** Panel of the trade-off's picture for one scene: its rungs by cost and error, with the spread of the cost. */
-final class TradeoffPanel {
+record TradeoffPanel(XYChart chart, Axes axes, ChartColours colours) {
 
     /** An error of 0, and any smaller one, is drawn here: there is no zero on a logarithmic axis. In u. */
     static final double FLOOR = 1e-15;
@@ -46,10 +46,6 @@ final class TradeoffPanel {
     /** How far apart ticks are, about, in pixels. */
     private static final int TICKS = 110;
 
-    private final XYChart chart;
-    private final ChartColours colours;
-    private final Axes axes;
-
     /** The range of all panels, in decades: XChart's logarithmic axes draw too many lines for this many decades. */
     record Axes(double least, double most, double lowest, double highest) {
 
@@ -65,12 +61,6 @@ final class TradeoffPanel {
         double at(double share) {
             return least + (most - least) * share;
         }
-    }
-
-    private TradeoffPanel(XYChart chart, Axes axes, ChartColours colours) {
-        this.chart = chart;
-        this.axes = axes;
-        this.colours = colours;
     }
 
     static XYChart of(TradeoffResult result, String scene, Axes axes, ChartColours colours) {

@@ -1,12 +1,10 @@
 package steward.cli.league.view;
 
 import java.util.List;
-import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import steward.cli.options.CallCheck;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.ThreadsOption;
 import steward.cli.play.StoredSeries;
@@ -63,15 +61,10 @@ public final class LeagueSprtCommand extends ProgramCommand {
         threads.check();
         LeagueFolder folder = league.open();
         LeagueSettings settings = folder.read();
-        CallCheck.withHelp().that(!one.equals(other), "found the bot '" + one + "' twice, expected two bots");
+        check.that(!one.equals(other), "found the bot '" + one + "' twice, expected two bots");
         Contest empty = LeagueOpening.contest(folder, settings, streams);
-        int players = empty.players();
-        CallCheck.withHelp().that(fill == null || players > 2,
-            "--fill is for scenes of three and more players, found one of " + players);
-        CallCheck.withHelp().that(fill != null || players <= 2, "found no --fill, expected one: the scene is for "
-            + players + " players, and two are tested");
-        List<Contest.Entrant> entrants = Stream.concat(Stream.of(one, other),
-            Stream.generate(() -> fill).limit(Math.max(0, players - 2))).map(name -> entrant(settings, name)).toList();
+        List<Contest.Entrant> entrants = SprtOptions.withFill(check, List.of(one, other), fill, empty.players(),
+            "are tested").stream().map(name -> entrant(settings, name)).toList();
         Contest.checkPlayable(empty.setup(), entrants);
         Contest contest = empty.between(entrants);
         return StoredSeries.play(folder.path(), contest, settings.factor(),

@@ -95,7 +95,7 @@ class FewGamesTest {
             assertFalse(Pattern.compile("9999|\\d{5}|Infinity|NaN|∞").matcher(text).find(), text);
             ByteArrayOutputStream page = new ByteArrayOutputStream();
             LeaguePage.write(new LeagueView(SEASON, table, path.path(), List.of(), Double.NaN, List.of()), folder,
-                EmbeddedReplays.of(List.of(), folder, null, null), page,
+                EmbeddedReplays.of(List.of(), folder, null, null, any -> ""), page,
                 "few");
             String html = page.toString(StandardCharsets.UTF_8);
             String data = html.substring(html.indexOf("{\"scene\":"));

@@ -1,9 +1,11 @@
 package steward.guest;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import steward.game.GameJson;
+import steward.game.TextCodec;
 import steward.json.DrawingJson;
 import steward.json.JsonObject;
 import tools.jackson.core.JsonGenerator;
@@ -13,11 +15,11 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * JSON of the answers and states of a {@link GuestGame} in replays; its bots themselves speak lines only. A command is
- * the lines of an answer, with its time if the referee counts times. A state is everything that the referee has said
- * since the last answer.
+ * Lines of the bots of a {@link GuestGame}, which pass unchanged, and JSON of its answers and states in replays. A
+ * command is the lines of an answer, with its time if the referee counts times. A state is everything that the referee
+ * has said since the last answer.
  */
-record GuestJson(GuestGame game) implements GameJson {
+record GuestCodec(GuestGame game) implements GameJson, TextCodec {
 
     private static final String LINES = "lines";
     private static final String EXPECTED = ", expected an object with the lines of an answer";
@@ -32,18 +34,34 @@ record GuestJson(GuestGame game) implements GameJson {
         throw linesOnly();
     }
 
+    private static UnsupportedOperationException linesOnly() {
+        return new UnsupportedOperationException("bots of a guest speak its lines only");
+    }
+
     @Override
-    public String readAnswer(int player, byte[] line, int length) {
-        throw linesOnly();
+    public void writeSetup(StringBuilder out, int player) {
+        // The referee itself sends what bots get first, with its first question.
+    }
+
+    @Override
+    public void writeTurn(StringBuilder out, int player) {
+        out.append(game.input(player));
+    }
+
+    @Override
+    public int answerLines(int player) {
+        return game.lines();
+    }
+
+    @Override
+    public String readAnswer(int player, byte[] answer, int length) {
+        return game.refusal(List.of(new String(answer, 0, length, StandardCharsets.UTF_8).split("\n", -1)),
+            game.answerMs());
     }
 
     @Override
     public String message(int player) {
-        throw linesOnly();
-    }
-
-    private static UnsupportedOperationException linesOnly() {
-        return new UnsupportedOperationException("bots of a guest speak its lines only");
+        return null;
     }
 
     @Override
