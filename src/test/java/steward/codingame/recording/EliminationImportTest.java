@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.bot.Bot;
+import steward.bot.TestBots;
 import steward.game.GameSetup;
 import steward.game.podrace.RulesEdition;
 import steward.match.TestScenes;
@@ -23,23 +24,14 @@ import steward.replay.verify.Verification;
 class EliminationImportTest {
 
     /** Pods that stay where they are. */
-    private static final class Idle implements Bot {
-
-        @Override
-        public void setup(String line) {
-            // Nothing to prepare.
-        }
-
-        @Override
-        public String turn(String line) {
-            return "{\"pods\":[{\"x\":0,\"y\":0,\"thrust\":0},{\"x\":0,\"y\":0,\"thrust\":0}]}";
-        }
+    private static Bot idle() {
+        return TestBots.answering(line -> "{\"pods\":[{\"x\":0,\"y\":0,\"thrust\":0},{\"x\":0,\"y\":0,\"thrust\":0}]}");
     }
 
     private static OfficialGame game(RulesEdition rules) {
         GameSetup setup = rules == RulesEdition.LIVE ? TestScenes.open("mad-pod-racing")
             : TestScenes.contest("mad-pod-racing");
-        return OfficialGame.play(setup, 3, new Idle(), new Idle());
+        return OfficialGame.play(setup, 3, idle(), idle());
     }
 
     private static Verification verified(OfficialGame game, RulesEdition rules) {

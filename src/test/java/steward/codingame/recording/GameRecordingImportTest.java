@@ -216,10 +216,10 @@ class GameRecordingImportTest {
         int counters = FIRST_IMPACT - 1;
         UnaryOperator<String> otherTurns = counter -> counter.substring(0, 2) + "77";
         UnaryOperator<String> otherRank = counter -> (counter.charAt(0) == '1' ? '2' : '1') + counter.substring(1);
-        assertFound(40, "view line 9, word 0", spoilt(frame, counters, word(0, otherTurns)));
-        assertFound(40, "view line 9, word 1", spoilt(frame, counters, word(1, otherTurns)));
-        assertFound(40, "view line 9, word 0", spoilt(frame, counters, word(0, otherRank)));
-        assertFound(40, "view line 9, word 1", spoilt(frame, counters, word(1, otherRank)));
+        for (int player = 0; player < 2; player++) {
+            assertFound(40, "view line 9, word " + player, spoilt(frame, counters, word(player, otherTurns)));
+            assertFound(40, "view line 9, word " + player, spoilt(frame, counters, word(player, otherRank)));
+        }
         assertFound(0, "view line 13, word 1", spoilt(0, 5 + 8, word(1, otherTurns)));
     }
 

@@ -5,8 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import steward.match.TestScenes;
 import steward.bot.Bot;
+import steward.bot.TestBots;
+import steward.match.TestScenes;
 import steward.replay.verify.ReplayDifference;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ObjectNode;
@@ -16,24 +17,15 @@ class InformationImportTest {
 
     private static final int FAILS = 33;
 
+    private static final List<String> COMMANDS = List.of("\"boost\":true", "\"boost\":true", "\"shield\":true",
+        "\"thrust\":70", "\"thrust\":70", "\"thrust\":70", "\"thrust\":70");
+
     /** Boosts twice, raises its shield and goes on. */
-    private static final class Scripted implements Bot {
-
-        private static final List<String> COMMANDS = List.of("\"boost\":true", "\"boost\":true", "\"shield\":true",
-            "\"thrust\":70", "\"thrust\":70", "\"thrust\":70", "\"thrust\":70");
-
-        private int turn;
-
-        @Override
-        public void setup(String line) {
-            turn = 0;
-        }
-
-        @Override
-        public String turn(String line) {
-            String pod = "{\"x\":8000,\"y\":4500," + COMMANDS.get(Math.min(turn++, COMMANDS.size() - 1)) + "}";
+    private static Bot scripted() {
+        return TestBots.byTurn(turn -> {
+            String pod = "{\"x\":8000,\"y\":4500," + COMMANDS.get(Math.min(turn, COMMANDS.size()) - 1) + "}";
             return "{\"pods\":[" + pod + "," + pod + "]}";
-        }
+        });
     }
 
     private static final List<String> TOLD = List.of("boosts towards (8000, 4500)",
@@ -41,7 +33,7 @@ class InformationImportTest {
         "waits for its engine to reload", "waits for its engine to reload", "moves towards (8000, 4500) at power 70");
 
     private static ObjectNode told() {
-        ObjectNode game = OfficialGame.play(TestScenes.open("mad-pod-racing"), 3, new Scripted(), new Scripted())
+        ObjectNode game = OfficialGame.play(TestScenes.open("mad-pod-racing"), 3, scripted(), scripted())
             .gameResult();
         for (int turn = 1; turn <= TOLD.size(); turn++) {
             for (int player = 0; player < 2; player++) {

@@ -8,10 +8,14 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 import steward.bot.process.BotProcess;
 import steward.game.GameSetup;
 import steward.match.Protocol;
@@ -36,6 +40,7 @@ class MisbehavingBotsTest {
     private static final String SETUP = "read a; read b; read a; read b; read c; ";
     /** Two turns as they should be; then the third is read. */
     private static final String BEFORE = SETUP + READ + GOOD + READ + GOOD + READ;
+    private static final String HALF = "no answer within 300 ms \\(waited \\d+ ms\\): 1 of 2 lines came; .*";
     private static final String REST = "while " + READ + "[ -n \"$d\" ]; do " + GOOD + "done";
 
     /** The official scene on a map of ours with three checkpoints. */
@@ -52,9 +57,26 @@ class MisbehavingBotsTest {
         return new Seat(new BotProcess("bad", List.of("/bin/sh", "-c", script)), Protocol.CODINGAME);
     }
 
+    /** What a bot does in its third turn, and its fault. */
+    static Stream<Arguments> faults() {
+        return Stream.of(
+            Arguments.of("kill -SEGV $$; sleep 60", TimeControl.UNLIMITED,
+                "killed by signal 11 \\(SIGSEGV\\) before answering"),
+            Arguments.of("echo 9000 4000 50; sleep 60", SHORT, HALF),
+            Arguments.of("printf '9000 4000 50\\n9000 40'; sleep 60", SHORT, HALF),
+            Arguments.of("echo 9000 4000 50; exit 3", TimeControl.UNLIMITED, "exited with status 3 before answering"),
+            Arguments.of("printf '9000 4000 50\\nno idea\\n'; sleep 60", TimeControl.UNLIMITED,
+                "line 2 of 2: X: found \"no\", expected a finite number; received: 9000 4000 50\\\\nno idea"),
+            Arguments.of("exec >&-; sleep 60", TimeControl.UNLIMITED, "closed its output before answering"),
+            Arguments.of("head -c 1000000 /dev/zero | tr '\\0' 7; echo; sleep 60", TimeControl.UNLIMITED,
+                "line longer than 65536 bytes"));
+    }
+
     /** The bot fails in the third turn, the other one wins; the replay keeps the fault and verifies. */
-    private static void loses(String script, TimeControl time, String fault) {
-        TextMatches match = TextMatches.play(SCENE, 1, time, bot(script), TextMatches.racer());
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("faults")
+    void whoFailsInTheThirdTurnLoses(String script, TimeControl time, String fault) {
+        TextMatches match = TextMatches.play(SCENE, 1, time, bot(BEFORE + script), TextMatches.racer());
         assertEquals(3, match.result().turns(), match.player(0).fault());
         assertTrue(match.player(0).fault().matches(fault), match.player(0).fault());
         assertNull(match.player(1).fault());
@@ -62,46 +84,6 @@ class MisbehavingBotsTest {
         assertNull(match.verify().difference());
         assertEquals(3, match.verify().turns());
         assertTrue(match.replayText().contains("\"messages\":[\"hi\",null]"), "the turns before are there");
-    }
-
-    @Test
-    void killedByASignal() {
-        loses(BEFORE + "kill -SEGV $$; sleep 60", TimeControl.UNLIMITED,
-            "killed by signal 11 \\(SIGSEGV\\) before answering");
-    }
-
-    @Test
-    void halfAnAnswer() {
-        loses(BEFORE + "echo 9000 4000 50; sleep 60", SHORT,
-            "no answer within 300 ms \\(waited \\d+ ms\\): 1 of 2 lines came; .*");
-    }
-
-    @Test
-    void halfALine() {
-        loses(BEFORE + "printf '9000 4000 50\\n9000 40'; sleep 60", SHORT,
-            "no answer within 300 ms \\(waited \\d+ ms\\): 1 of 2 lines came; .*");
-    }
-
-    @Test
-    void halfAnAnswerAndGone() {
-        loses(BEFORE + "echo 9000 4000 50; exit 3", TimeControl.UNLIMITED, "exited with status 3 before answering");
-    }
-
-    @Test
-    void aLineThatIsNone() {
-        loses(BEFORE + "printf '9000 4000 50\\nno idea\\n'; sleep 60", TimeControl.UNLIMITED,
-            "line 2 of 2: X: found \"no\", expected a finite number; received: 9000 4000 50\\\\nno idea");
-    }
-
-    @Test
-    void closesItsOutput() {
-        loses(BEFORE + "exec >&-; sleep 60", TimeControl.UNLIMITED, "closed its output before answering");
-    }
-
-    @Test
-    void oneLineOfAMegabyte() {
-        loses(BEFORE + "head -c 1000000 /dev/zero | tr '\\0' 7; echo; sleep 60", TimeControl.UNLIMITED,
-            "line longer than 65536 bytes");
     }
 
     /** Lines that are not asked for stay in the pipe and serve as the next answers, as on the real server. */

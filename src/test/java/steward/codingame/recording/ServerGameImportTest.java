@@ -5,14 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.Arrays;
+import java.util.List;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import steward.match.TestSize;
+import steward.game.ChangedWords;
 import steward.replay.verify.ReplayDifference;
 import steward.replay.verify.Verification;
 import tools.jackson.databind.node.ArrayNode;
@@ -22,6 +23,7 @@ import tools.jackson.databind.node.ObjectNode;
 @Execution(ExecutionMode.CONCURRENT)
 class ServerGameImportTest {
 
+    private static final Pattern WORD = Pattern.compile("\\S+");
     private static final ServerMeanMax GAME = ServerMeanMax.play(5, 300);
     private static final ServerMeanMax SHORT = ServerMeanMax.play(5, 3);
 
@@ -44,64 +46,50 @@ class ServerGameImportTest {
         assertEquals(3, found.turns());
     }
 
-    /** The lines of a key frame from the first score on, changed one at a time. */
-    @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {
-        "1 | 7 | turn 20, view line 1, word 0: recorded 7",
-        "4 | 299 | turn 20, view line 4, word 0: recorded 299"})
-    @Tag("slow")
-    void aChangedNumberOfAPlayerIsFound(int line, String to, String expected) {
-        assertTrue(difference(20, line, to).toString().startsWith(expected), expected);
-    }
-
+    /** All words of a turn with impacts but the number of its frame, and some of later turns, changed a little. */
     @Test
     @Tag("slow")
-    @Tag("sized")
-    void aChangedPlaceIsFound() {
-        int each = TestSize.of(100, 13);
-        for (int turn = 1; turn <= GAME.turns(); turn += each) {
-            String[] lines = view(turn).split("\n");
-            int line = Arrays.asList(lines).lastIndexOf("#1.00000");
-            while (!lines[line].startsWith("1 ")) {
-                line++;
+    void aChangedWordIsFoundWhereItIs() {
+        int first = turnWithImpact("#0\\.[1-8].*");
+        for (int turn : new int[] {first, 20, 150}) {
+            ObjectNode game = GAME.gameResult();
+            game.remove(List.of("scores", "ranks"));
+            ImportedRecording.cut(game, 3 * turn + 1);
+            List<ChangedWords> changes = ChangedWords.of(view(turn), WORD, ServerGameImportTest::next);
+            for (int k = 1; k < changes.size(); k += turn == first ? 1 : 13) {
+                ChangedWords change = changes.get(k);
+                ImportedRecording.frame(game, 3 * turn).put("view", change.text());
+                ReplayDifference found = ImportedRecording.verified(game).difference();
+                assertNotNull(found, change::toString);
+                assertEquals(turn, found.turn(), change::toString);
+                assertEquals("view line " + change.line() + ", word " + change.word(), found.field());
             }
-            String[] words = lines[line].split(" ");
-            words[1] = Long.toString(Long.parseLong(words[1]) + 1);
-            ReplayDifference found = difference(turn, line, String.join(" ", words));
-            assertNotNull(found, "turn " + turn);
-            assertEquals(turn, found.turn());
-            assertEquals("view line " + line + ", word 1", found.field());
         }
     }
 
-    @Test
-    @Tag("slow")
-    void aChangedTimeAPlaceAndASpeedOfAnImpactAreFound() {
+    /** A number with another last digit, which is a word too, or a word with one more letter. */
+    private static String next(String word) {
+        char last = word.charAt(word.length() - 1);
+        return Character.isDigit(last) ? word.substring(0, word.length() - 1) + (last - '0' + 1) % 10 : word + "x";
+    }
+
+    private static int turnWithImpact(String line) {
         int turn = 1;
-        while (!view(turn).split("\n")[16].matches("#0\\.[1-8].*")) {
+        while (!view(turn).split("\n")[16].matches(line)) {
             turn++;
         }
-        String[] lines = view(turn).split("\n");
-        String time = lines[16].substring(0, 7) + (lines[16].endsWith("1") ? "2" : "1");
-        assertEquals("view line 16, word 0", difference(turn, 16, time).field());
-        String[] words = lines[17].split(" ");
-        for (int k = 0; k < 5; k++) {
-            String[] changed = words.clone();
-            changed[k] = Long.toString(Long.parseLong(changed[k]) - 1);
-            assertEquals("view line 17, word " + k, difference(turn, 17, String.join(" ", changed)).field());
-        }
+        return turn;
     }
 
     @Test
     void anImpactThatTheServerHasNotIsFound() {
-        int turn = 1;
-        while (!view(turn).split("\n")[16].startsWith("#0")) {
-            turn++;
-        }
+        int turn = turnWithImpact("#0.*");
         String view = view(turn);
         int from = view.indexOf("#0");
         String without = view.substring(0, from) + view.substring(view.indexOf('#', from + 1));
-        String difference = difference(turn, without).toString();
+        ObjectNode changed = GAME.gameResult();
+        ImportedRecording.frame(changed, 3 * turn).put("view", without);
+        String difference = ImportedRecording.verified(changed).difference().toString();
         assertTrue(difference.startsWith("turn " + turn + ", view line 16"), difference);
     }
 
@@ -128,18 +116,6 @@ class ServerGameImportTest {
 
     private static String view(int turn) {
         return GAME.gameResult().get("frames").get(3 * turn).get("view").stringValue();
-    }
-
-    private static ReplayDifference difference(int turn, int line, String to) {
-        String[] lines = view(turn).split("\n");
-        lines[line] = to;
-        return difference(turn, String.join("\n", lines));
-    }
-
-    private static ReplayDifference difference(int turn, String view) {
-        ObjectNode changed = GAME.gameResult();
-        ImportedRecording.frame(changed, 3 * turn).put("view", view);
-        return ImportedRecording.verified(changed).difference();
     }
 
     @ParameterizedTest
@@ -177,19 +153,6 @@ class ServerGameImportTest {
             .difference();
         assertEquals(0, found.turn());
         assertEquals(field, found.field());
-    }
-
-    @Test
-    void aFrameThatIsMissingAndAFileThatIsCutAreTold() {
-        ObjectNode missing = SHORT.gameResult();
-        ((ArrayNode) missing.get("frames")).remove(4);
-        String gap = ImportedRecording.problem(missing.toString());
-        assertTrue(gap.startsWith(
-            "game.json: frame 4, view line 0: found \" 5\", expected the number of the frame, 4: frames are missing"),
-            gap);
-        String json = SHORT.json();
-        String problem = ImportedRecording.problem(json.substring(0, json.length() / 2));
-        assertTrue(problem.contains("within the JSON") && problem.contains("expected all of it"), problem);
     }
 
     @ParameterizedTest
