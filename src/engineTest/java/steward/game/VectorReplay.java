@@ -2,6 +2,8 @@ package steward.game;
 
 import java.util.ArrayList;
 import java.util.List;
+import steward.physics.Impact;
+import steward.physics.TurnLog;
 import tools.jackson.databind.JsonNode;
 
 /**
@@ -36,8 +38,45 @@ public abstract class VectorReplay<G extends Game> {
     /** Compares what the header tells of the start. */
     protected void compareStart(G game) { }
 
-    /** Compares the impacts of the turn that was played. */
-    protected abstract void compareImpacts(String when, JsonNode turn, G game);
+    /**
+     * Compares the impacts of the turn that was played: bounces are impacts of the log, what a game does itself is
+     * facts of it, each in their order.
+     */
+    protected void compareImpacts(String when, JsonNode turn, G game) {
+        TurnLog log = game.log();
+        int impact = 0;
+        int fact = 0;
+        for (JsonNode of : turn.get("impacts")) {
+            String what = when + " impact " + (impact + fact) + " ";
+            comparison.impact();
+            boolean isFact = isFact(of, log, fact);
+            if (isFact ? fact >= log.facts() : impact >= log.impacts()) {
+                comparison.same(what, of.toString(), "none");
+                return;
+            } else if (isFact) {
+                fact += compareFact(what, of, log, fact);
+            } else {
+                compareImpact(what, of, log.impact(impact++));
+            }
+        }
+        comparison.same(when + " impacts", log.impacts(), impact);
+        comparison.same(when + " facts", log.facts(), fact);
+    }
+
+    /** True if a recorded impact has to be a fact of the log. @param fact the next one, if there is any */
+    protected boolean isFact(JsonNode of, TurnLog log, int fact) {
+        return false;
+    }
+
+    /** Compares a recorded impact with the facts of the log from one on. @return how many of them it is */
+    protected int compareFact(String what, JsonNode of, TurnLog log, int fact) {
+        throw new UnsupportedOperationException();
+    }
+
+    /** Compares a recorded impact with one of the log. */
+    protected void compareImpact(String what, JsonNode of, Impact impact) {
+        throw new UnsupportedOperationException();
+    }
 
     /** Compares the state after a turn. */
     protected abstract void compareState(String when, JsonNode state, G game);
@@ -137,6 +176,13 @@ public abstract class VectorReplay<G extends Game> {
             comparison.same("end, score of " + player, match.end().get("scores").get(player).asString(),
                 player + " " + score(game, player));
         }
+    }
+
+    /** Returns the whole numbers of a list. */
+    protected static List<Integer> numbers(JsonNode list) {
+        List<Integer> numbers = new ArrayList<>();
+        list.forEach(each -> numbers.add(each.asInt()));
+        return numbers;
     }
 
     /** Returns the texts of a list. */

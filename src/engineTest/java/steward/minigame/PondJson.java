@@ -1,23 +1,27 @@
 package steward.minigame;
 
 import steward.game.GameJson;
+import steward.json.DrawingJson;
+import steward.json.JsonAnswer;
 import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.physics.Bodies;
-import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
-import tools.jackson.core.ObjectReadContext;
 
 /** The frames of the pond. An answer is {@code {"push":{"x":1,"y":2},"message":"optional"}}. */
-final class PondJson implements GameJson {
+final class PondJson extends JsonAnswer implements GameJson {
 
     private static final String[] KINDS = {"hunter", "bubble", "cell", "fog"};
 
     private final Pond pond;
     private final String[] messages;
+    private double x;
+    private double y;
 
     PondJson(Pond pond) {
+        super("push");
         this.pond = pond;
         messages = new String[pond.players()];
     }
@@ -31,82 +35,81 @@ final class PondJson implements GameJson {
 
     @Override
     public void writeProgress(JsonGenerator out) {
-        out.writeArrayPropertyStart("zones");
-        out.writeStartObject();
-        JsonNumbers.write(out, "x", pond.settings().arena().x());
-        JsonNumbers.write(out, "y", pond.settings().arena().y());
-        JsonNumbers.write(out, "radius", pond.settings().arena().radius() / pond.turn());
-        out.writeStringProperty("label", "calm");
-        out.writeEndObject();
-        out.writeEndArray();
-        out.writeArrayPropertyStart("scores");
-        for (double score : pond.scores()) {
-            JsonNumbers.write(out, score);
-        }
-        out.writeEndArray();
-        out.writeArrayPropertyStart("resources");
-        for (double score : pond.scores()) {
-            out.writeStartObject();
-            JsonNumbers.write(out, "mass", score);
-            JsonNumbers.write(out, "tenths", Math.rint(10 * score));
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        JsonObject.writeEach(out, "zones", 1, only -> DrawingJson.zone(out, pond.settings().arena().x(),
+            pond.settings().arena().y(), pond.settings().arena().radius() / pond.turn(), "calm"));
+        JsonNumbers.writeAll(out, "scores", pond.scores());
+        JsonObject.writeAll(out, "resources", pond.players(), player -> {
+            JsonNumbers.write(out, "mass", pond.scores()[player]);
+            JsonNumbers.write(out, "tenths", Math.rint(10 * pond.scores()[player]));
+        });
     }
 
     @Override
     public void writeTurn(JsonGenerator out, int player) {
-        writeBodies(out);
+        Bodies bodies = pond.bodies();
+        JsonObject.writeAll(out, "bodies", bodies.size(), body -> {
+            DrawingJson.motion(out, bodies, body);
+            writeShape(out, body);
+            JsonNumbers.write(out, "mass", bodies.mass[body]);
+        });
     }
 
-    private void writeBodies(JsonGenerator out) {
-        Bodies bodies = pond.bodies();
-        out.writeArrayPropertyStart("bodies");
-        for (int k = 0; k < bodies.size(); k++) {
-            out.writeStartObject();
-            out.writeNumberProperty("id", bodies.id(k));
-            out.writeStringProperty("kind", KINDS[bodies.kind[k]]);
-            int owner = pond.ownerOf(bodies.id(k));
-            if (owner >= 0) {
-                out.writeNumberProperty("owner", owner);
-            }
-            JsonNumbers.write(out, "x", bodies.x[k]);
-            JsonNumbers.write(out, "y", bodies.y[k]);
-            JsonNumbers.write(out, "vx", bodies.vx[k]);
-            JsonNumbers.write(out, "vy", bodies.vy[k]);
-            JsonNumbers.write(out, "radius", bodies.radius[k]);
-            JsonNumbers.write(out, "mass", bodies.mass[k]);
-            out.writeEndObject();
+    /** What of a body stays the same while it flies. @return its owner, or -1 */
+    private int writeShape(JsonGenerator out, int body) {
+        out.writeStringProperty("kind", KINDS[pond.bodies().kind[body]]);
+        JsonNumbers.write(out, "radius", pond.bodies().radius[body]);
+        int owner = pond.ownerOf(pond.bodies().id(body));
+        if (owner >= 0) {
+            out.writeNumberProperty("owner", owner);
         }
-        out.writeEndArray();
+        return owner;
     }
 
     @Override
     public String readAnswer(int player, byte[] line, int length) {
-        messages[player] = null;
-        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), line, 0, length)) {
-            if (in.nextToken() != JsonToken.START_OBJECT) {
-                return "found no object, expected {\"push\":...}";
-            }
-            String wrong = "push: found nothing, expected an object";
-            while (in.nextToken() == JsonToken.PROPERTY_NAME) {
-                String name = in.currentName();
-                JsonToken value = in.nextToken();
-                if (name.equals("push")) {
-                    wrong = readCommand(in, player);
-                    if (wrong != null) {
-                        return wrong;
-                    }
-                } else if (name.equals("message") && value == JsonToken.VALUE_STRING) {
-                    messages[player] = in.getString();
-                } else {
-                    return name + ": found an unknown field, expected push and message";
-                }
-            }
-            return wrong;
-        } catch (JacksonException problem) {
-            return "not JSON: " + problem.getOriginalMessage();
+        String wrong = command(player, read(line, length));
+        messages[player] = wrong == null ? message() : null;
+        return wrong;
+    }
+
+    @Override
+    public String readCommand(JsonParser in, int player) {
+        begin();
+        return command(player, field("push", in));
+    }
+
+    private String command(int player, String wrong) {
+        if (wrong == null) {
+            pond.command(player, x, y);
         }
+        return wrong;
+    }
+
+    @Override
+    protected void begin() {
+        x = Double.NaN;
+        y = Double.NaN;
+    }
+
+    @Override
+    protected String field(String name, JsonParser in) {
+        if (in.currentToken() != JsonToken.START_OBJECT) {
+            return name + ": found " + found(in) + ", expected {\"x\":..,\"y\":..}";
+        }
+        while (in.nextToken() == JsonToken.PROPERTY_NAME) {
+            boolean first = in.currentName().equals("x");
+            in.nextToken();
+            x = first ? number(in) : x;
+            y = first ? y : number(in);
+        }
+        return complete();
+    }
+
+    @Override
+    protected String complete() {
+        double length = Math.sqrt(x * x + y * y);
+        return length <= pond.settings().push() ? null : "push: found a length of " + length + ", expected at most "
+            + pond.settings().push();
     }
 
     @Override
@@ -116,71 +119,31 @@ final class PondJson implements GameJson {
 
     @Override
     public void writeCommand(JsonGenerator out, int player) {
-        out.writeStartObject();
-        JsonNumbers.write(out, "x", pond.pushX(player));
-        JsonNumbers.write(out, "y", pond.pushY(player));
-        out.writeEndObject();
-    }
-
-    @Override
-    public String readCommand(JsonParser in, int player) {
-        double x = Double.NaN;
-        double y = Double.NaN;
-        if (in.currentToken() != JsonToken.START_OBJECT) {
-            return "push: found no object, expected {\"x\":..,\"y\":..}";
-        }
-        while (in.nextToken() == JsonToken.PROPERTY_NAME) {
-            String name = in.currentName();
-            if (!in.nextToken().isNumeric()) {
-                return "push." + name + ": found no number, expected one";
-            }
-            x = name.equals("x") ? in.getDoubleValue() : x;
-            y = name.equals("y") ? in.getDoubleValue() : y;
-        }
-        double length = Math.sqrt(x * x + y * y);
-        if (!(length <= pond.settings().push())) {
-            return "push: found a length of " + length + ", expected at most " + pond.settings().push();
-        }
-        pond.command(player, x, y);
-        return null;
+        DrawingJson.place(out, pond.pushX(player), pond.pushY(player));
     }
 
     @Override
     public void writeState(JsonGenerator out) {
-        writeBodies(out);
-        out.writeArrayPropertyStart("passing");
-        for (int k = 0; k < pond.bodies().passing().size(); k++) {
+        writeTurn(out, 0);
+        JsonObject.writeEach(out, "passing", pond.bodies().passing().size(), k -> {
             out.writeStartArray();
             out.writeNumber(pond.bodies().passing().first(k));
             out.writeNumber(pond.bodies().passing().second(k));
             out.writeEndArray();
-        }
-        out.writeEndArray();
+        });
     }
 
     @Override
     public void writeDrawing(JsonGenerator out) {
         double radius = pond.settings().arena().radius();
-        out.writeObjectPropertyStart("field");
-        JsonNumbers.write(out, "x", pond.settings().arena().x() - radius);
-        JsonNumbers.write(out, "y", pond.settings().arena().y() - radius);
-        JsonNumbers.write(out, "width", 2 * radius);
-        JsonNumbers.write(out, "height", 2 * radius);
-        out.writeEndObject();
-        out.writeArrayPropertyStart("bodies");
-        Bodies bodies = pond.bodies();
-        for (int k = 0; k < bodies.size(); k++) {
-            out.writeStartObject();
-            out.writeNumberProperty("id", bodies.id(k));
-            out.writeStringProperty("kind", KINDS[bodies.kind[k]]);
-            JsonNumbers.write(out, "radius", bodies.radius[k]);
-            int owner = pond.ownerOf(bodies.id(k));
+        DrawingJson.field(out, pond.settings().arena().x() - radius, pond.settings().arena().y() - radius, 2 * radius,
+            2 * radius);
+        JsonObject.writeAll(out, "bodies", pond.bodies().size(), body -> {
+            out.writeNumberProperty("id", pond.bodies().id(body));
+            int owner = writeShape(out, body);
             if (owner >= 0) {
-                out.writeNumberProperty("owner", owner);
                 out.writeStringProperty("label", Integer.toString(owner));
             }
-            out.writeEndObject();
-        }
-        out.writeEndArray();
+        });
     }
 }

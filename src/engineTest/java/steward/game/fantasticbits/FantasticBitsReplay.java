@@ -102,42 +102,32 @@ public final class FantasticBitsReplay extends VectorReplay<FantasticBits> {
         return self;
     }
 
-    /** Bounces are impacts of the log; captures, goals and open goals are facts of it, each in their order. */
+    /** Captures, goals and open goals are facts. */
     @Override
-    protected void compareImpacts(String when, JsonNode turn, FantasticBits game) {
-        TurnLog log = game.log();
-        int impact = 0;
-        int fact = 0;
-        for (JsonNode of : turn.get("impacts")) {
-            String what = when + " impact " + (impact + fact) + " ";
-            comparison.impact();
-            String kind = of.get("kind").asString();
-            boolean open = kind.equals("wall") && fact < log.facts() && log.factKind(fact) == Captures.OPEN_GOAL
-                && log.factA(fact) == of.get("a").asInt() && of.get("force").asDouble() == 0;
-            if (open || kind.equals("capture") || kind.equals("goal")) {
-                if (fact == log.facts()) {
-                    comparison.same(what, of.toString(), "none");
-                    return;
-                }
-                int expected = open ? Captures.OPEN_GOAL : kind.equals("goal") ? Captures.GOAL : Captures.CAPTURE;
-                comparison.same(what + "kind", expected, log.factKind(fact));
-                comparison.same(what + "t", of.get("t").asDouble(), log.factTime(fact));
-                comparison.same(what + "a", of.get("a").asInt(), log.factA(fact));
-                comparison.same(what + "b", open ? SIDES.indexOf(of.get("side").asString())
-                    : of.get(kind.equals("goal") ? "player" : "b").asInt(), log.factB(fact));
-                fact++;
-            } else if (impact < log.impacts()) {
-                compare(what, of, log.impact(impact++));
-            } else {
-                comparison.same(what, of.toString(), "none");
-                return;
-            }
-        }
-        comparison.same(when + " impacts", log.impacts(), impact);
-        comparison.same(when + " facts", log.facts(), fact);
+    protected boolean isFact(JsonNode of, TurnLog log, int fact) {
+        return of.get("kind").asString().matches("capture|goal") || isOpen(of, log, fact);
     }
 
-    private void compare(String what, JsonNode of, Impact impact) {
+    private static boolean isOpen(JsonNode of, TurnLog log, int fact) {
+        return of.get("kind").asString().equals("wall") && fact < log.facts() && of.get("force").asDouble() == 0
+            && log.factKind(fact) == Captures.OPEN_GOAL && log.factA(fact) == of.get("a").asInt();
+    }
+
+    @Override
+    protected int compareFact(String what, JsonNode of, TurnLog log, int fact) {
+        boolean open = isOpen(of, log, fact);
+        boolean goal = of.get("kind").asString().equals("goal");
+        int expected = open ? Captures.OPEN_GOAL : goal ? Captures.GOAL : Captures.CAPTURE;
+        comparison.same(what + "kind", expected, log.factKind(fact));
+        comparison.same(what + "t", of.get("t").asDouble(), log.factTime(fact));
+        comparison.same(what + "a", of.get("a").asInt(), log.factA(fact));
+        comparison.same(what + "b", open ? SIDES.indexOf(of.get("side").asString())
+            : of.get(goal ? "player" : "b").asInt(), log.factB(fact));
+        return 1;
+    }
+
+    @Override
+    protected void compareImpact(String what, JsonNode of, Impact impact) {
         comparison.same(what + "t", of.get("t").asDouble(), impact.time());
         comparison.same(what + "a", of.get("a").asInt(), impact.a());
         boolean wall = of.get("kind").asString().equals("wall");
@@ -172,9 +162,8 @@ public final class FantasticBitsReplay extends VectorReplay<FantasticBits> {
             comparison.fields(what, wizard, "player", Pitch.playerOf(id), "snaffle", pitch.held(id),
                 "captureWait", bodies.columns[Pitch.WAIT][id]);
             for (Spell spell : Spell.values()) {
-                comparison.same(what + spell.text(), List.of(wizard.get(spell.text()).get(0).asInt(),
-                    wizard.get(spell.text()).get(1).asInt()), List.of(pitch.spells().turns(id, spell),
-                        pitch.spells().target(id, spell)));
+                comparison.same(what + spell.text(), numbers(wizard.get(spell.text())),
+                    List.of(pitch.spells().turns(id, spell), pitch.spells().target(id, spell)));
             }
             JsonNode cast = wizard.get("cast");
             comparison.same(what + "cast", cast.isNull() ? "none" : cast.get(0).asString() + cast.get(1).asInt(),
@@ -188,15 +177,13 @@ public final class FantasticBitsReplay extends VectorReplay<FantasticBits> {
             comparison.same(what + "alive", snaffle.get("alive").asBoolean(),
                 pitch.kind(id) != EntityKind.LOST_SNAFFLE);
             comparison.same(what + "captured", snaffle.get("captured").asBoolean(), isHeld(pitch, id));
-            TreeSet<Integer> recorded = new TreeSet<>();
-            snaffle.get("ignores").forEach(other -> recorded.add(other.asInt()));
             TreeSet<Integer> found = new TreeSet<>();
             for (int other = Pitch.WIZARDS; other < Pitch.WIZARDS + pitch.snaffles(); other++) {
                 if (Pitch.ignores(bodies, id, other)) {
                     found.add(other);
                 }
             }
-            comparison.same(what + "ignores", recorded, found);
+            comparison.same(what + "ignores", new TreeSet<>(numbers(snaffle.get("ignores"))), found);
         }
         for (JsonNode bludger : state.get("bludgers")) {
             int id = bludger.get("id").asInt();

@@ -183,28 +183,8 @@ class FantasticBitsTest extends GameRules<FantasticBits> {
     }
 
     @Override
-    protected void repeatCommands(FantasticBits game, FantasticBits twin) {
-        for (int wizard = 0; wizard < Pitch.WIZARDS; wizard++) {
-            twin.command(wizard / 2, wizard % 2, game.command(wizard / 2, wizard % 2));
-        }
-    }
-
-    @Override
     protected double alike() {
         return 0.95;
-    }
-
-    /** In whole numbers. */
-    @Override
-    protected boolean isAlike(FantasticBits one, FantasticBits other) {
-        boolean same = one.score(0) == other.score(0) && one.score(1) == other.score(1);
-        Bodies a = one.bodies();
-        Bodies b = other.bodies();
-        for (int k = 0; same && k < one.pitch().entities(); k++) {
-            same = a.x[k] == b.x[k] && a.y[k] == b.y[k] && a.vx[k] == b.vx[k] && a.vy[k] == b.vy[k]
-                && a.kind[k] == b.kind[k] && a.columns[Pitch.HELD][k] == b.columns[Pitch.HELD][k];
-        }
-        return same;
     }
 
     @ParameterizedTest

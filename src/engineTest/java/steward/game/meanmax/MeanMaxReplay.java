@@ -1,6 +1,5 @@
 package steward.game.meanmax;
 
-import java.util.List;
 import steward.game.VectorMatch;
 import steward.game.VectorReplay;
 import steward.game.meanmax.protocol.MeanMaxType;
@@ -98,40 +97,25 @@ public final class MeanMaxReplay extends VectorReplay<MeanMax> {
         }
     }
 
-    /** Bounces are impacts of the log, sinkings are facts of it, each in their order. */
     @Override
-    protected void compareImpacts(String when, JsonNode turn, MeanMax game) {
-        TurnLog log = game.log();
-        int impact = 0;
-        int fact = 0;
-        for (JsonNode of : turn.get("impacts")) {
-            String what = when + " impact " + (impact + fact) + " ";
-            comparison.impact();
-            if (of.has("sunk")) {
-                boolean there = fact < log.facts() && log.factKind(fact) == Sinking.SUNK;
-                comparison.same(what + "sinks", true, there);
-                if (!there) {
-                    return;
-                }
-                int[] two = {log.factA(fact), log.factB(fact)};
-                comparison.same(what + "sunk", of.get("sunk").asInt(), two[0]);
-                comparison.same(what + "a, b", of.get("a").asInt() + of.get("b").asInt(), two[0] + two[1]);
-                comparison.same(what + "t", of.get("t").asDouble(), log.factTime(fact));
-                fact++;
-                boolean wreck = fact < log.facts() && log.factKind(fact) == Sinking.WRECK;
-                comparison.same(what + "wreck", of.get("wreck").asInt(), wreck ? log.factB(fact) : -1);
-                fact += wreck ? 1 : 0;
-            } else if (impact < log.impacts()) {
-                compare(what, of, log.impact(impact++));
-            } else {
-                comparison.same(what, of.toString(), "none");
-            }
-        }
-        comparison.same(when + " impacts", log.impacts(), impact);
-        comparison.same(when + " facts", log.facts(), fact);
+    protected boolean isFact(JsonNode of, TurnLog log, int fact) {
+        return of.has("sunk");
     }
 
-    private void compare(String what, JsonNode of, Impact impact) {
+    @Override
+    protected int compareFact(String what, JsonNode of, TurnLog log, int fact) {
+        comparison.same(what + "sinks", Sinking.SUNK, log.factKind(fact));
+        int[] two = {log.factA(fact), log.factB(fact)};
+        comparison.same(what + "sunk", of.get("sunk").asInt(), two[0]);
+        comparison.same(what + "a, b", of.get("a").asInt() + of.get("b").asInt(), two[0] + two[1]);
+        comparison.same(what + "t", of.get("t").asDouble(), log.factTime(fact));
+        boolean wreck = fact + 1 < log.facts() && log.factKind(fact + 1) == Sinking.WRECK;
+        comparison.same(what + "wreck", of.get("wreck").asInt(), wreck ? log.factB(fact + 1) : -1);
+        return wreck ? 2 : 1;
+    }
+
+    @Override
+    protected void compareImpact(String what, JsonNode of, Impact impact) {
         comparison.fields(what, of, "t", impact.time(), "a", impact.a(), "b", impact.b());
         comparison.same(what + "vx of a", of.get("av").get(0).asDouble(), impact.vaxAfter());
         comparison.same(what + "vy of a", of.get("av").get(1).asDouble(), impact.vayAfter());
@@ -170,19 +154,16 @@ public final class MeanMaxReplay extends VectorReplay<MeanMax> {
         for (int k = 0; k < Math.min(state.get("wrecks").size(), world.wrecks().size()); k++) {
             JsonNode of = state.get("wrecks").get(k);
             Wreck wreck = world.wrecks().get(k);
-            comparison.same(when + " wreck " + k, List.of(of.get("id").asInt(), of.get("x").asDouble(),
-                of.get("y").asDouble(), of.get("radius").asDouble(), of.get("water").asInt(),
-                of.path("player").asInt(-1)), List.of(wreck.id(), wreck.x(), wreck.y(), wreck.radius(), wreck.water(),
-                wreck.player()));
+            comparison.fields(when + " wreck " + k + " ", of, "id", wreck.id(), "x", wreck.x(), "y", wreck.y(),
+                "radius", wreck.radius(), "water", wreck.water());
+            comparison.same(when + " wreck " + k + " player", of.path("player").asInt(-1), wreck.player());
         }
         comparison.same(when + " effects", state.get("effects").size(), world.effects().size());
         for (int k = 0; k < Math.min(state.get("effects").size(), world.effects().size()); k++) {
             JsonNode of = state.get("effects").get(k);
             SkillEffect effect = world.effects().get(k);
-            comparison.same(when + " effect " + k, List.of(of.get("id").asInt(), of.get("type").asInt(),
-                of.get("x").asDouble(), of.get("y").asDouble(), of.get("duration").asInt(), of.get("looter").asInt()),
-                List.of(effect.id(), effect.skill().type(), effect.x(), effect.y(), effect.duration(),
-                    effect.looter()));
+            comparison.fields(when + " effect " + k + " ", of, "id", effect.id(), "type", effect.skill().type(),
+                "x", effect.x(), "y", effect.y(), "duration", effect.duration(), "looter", effect.looter());
         }
     }
 }

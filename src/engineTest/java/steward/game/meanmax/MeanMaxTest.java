@@ -178,28 +178,8 @@ class MeanMaxTest extends GameRules<MeanMax> {
     }
 
     @Override
-    protected void repeatCommands(MeanMax game, MeanMax twin) {
-        for (int looter = 0; looter < 9; looter++) {
-            twin.command(looter / 3, looter % 3, game.command(looter / 3, looter % 3));
-        }
-    }
-
-    @Override
     protected double alike() {
         return 0.95;
-    }
-
-    /** In whole numbers. */
-    @Override
-    protected boolean isAlike(MeanMax game, MeanMax twin) {
-        Bodies one = game.bodies();
-        Bodies other = twin.bodies();
-        boolean same = one.size() == other.size();
-        for (int k = 0; same && k < one.size(); k++) {
-            same = one.x[k] == other.x[k] && one.y[k] == other.y[k] && one.vx[k] == other.vx[k]
-                && one.vy[k] == other.vy[k];
-        }
-        return same;
     }
 
     @ParameterizedTest

@@ -16,6 +16,9 @@ class CheckpointsTest {
     private static final double[][] AHEAD = {{0, 90_000}, {5000, 0}};
 
     /**
+     * By live rules a path has to come nearer than the radius; by those of the contest it counts if it touches the
+     * circle, and its start counts too. A pod at rest passes where it stands near enough. The path ends at the rounded
+     * place: 600.4 before the checkpoint becomes 600, 600.6 becomes 601.
      * <pre>
      *   start o=========> end        at height d above the checkpoint
      *              ^
@@ -25,48 +28,19 @@ class CheckpointsTest {
      * </pre>
      */
     @ParameterizedTest
-    @CsvSource({"600, 0", "601, 0", "-600, 0", "-599, 1", "599, 1", "0, 1"})
-    void byLiveRulesAPathHasToComeNearerThanTheRadius(double height, int passed) {
-        pass(Races.official(AHEAD), height, passed);
-    }
-
-    @ParameterizedTest
-    @CsvSource({"600, 1", "601, 0", "-600, 1", "-601, 0", "0, 1"})
-    void byTheRulesOfTheContestAPathThatTouchesTheCircleCounts(double height, int passed) {
-        pass(Races.contest(AHEAD), height, passed);
-    }
-
-    private static void pass(PodRace race, double height, int passed) {
-        Races.put(race, 0, 4000, height, 2000, 0);
-        race.play();
-
-        assertEquals(6000, race.pod(0).x());
-        assertEquals(passed, race.pod(0).passed());
-    }
-
-    @ParameterizedTest
-    @CsvSource({"4400, 1", "4399, 0", "5600, 1", "5601, 0"})
-    void aPodAtRestPassesWhenItStandsNearEnough(double x, int passed) {
-        for (PodRace race : List.of(Races.official(AHEAD), Races.contest(AHEAD))) {
-            Races.put(race, 0, x, 0, 0, 0);
+    @CsvSource({"4000, 600, 2000, 6000, 0, 1", "4000, 601, 2000, 6000, 0, 0", "4000, -600, 2000, 6000, 0, 1",
+        "4000, -601, 2000, 6000, 0, 0", "4000, -599, 2000, 6000, 1, 1", "4000, 599, 2000, 6000, 1, 1",
+        "4000, 0, 2000, 6000, 1, 1", "4400, 0, 0, 4400, 1, 1", "4399, 0, 0, 4399, 0, 0", "5600, 0, 0, 5600, 1, 1",
+        "5601, 0, 0, 5601, 0, 0", "5600, 0, 100, 5700, 0, 1", "4300, 0, 99.6, 4400, 1, 1", "4300, 0, 99.4, 4399, 0, 0"})
+    void aPathThatComesNearEnoughPasses(double x, double y, double vx, double end, int live, int contest) {
+        for (boolean byLiveRules : new boolean[] {true, false}) {
+            PodRace race = byLiveRules ? Races.official(AHEAD) : Races.contest(AHEAD);
+            Races.put(race, 0, x, y, vx, 0);
             race.play();
 
-            assertEquals(passed, race.pod(0).passed());
+            assertEquals(end, race.pod(0).x());
+            assertEquals(byLiveRules ? live : contest, race.pod(0).passed());
         }
-    }
-
-    /** Away from the circle, from its edge: the start of a path counts by the rules of the contest only. */
-    @Test
-    void aStartAtTheRadiusCountsByTheRulesOfTheContestOnly() {
-        PodRace live = Races.official(AHEAD);
-        PodRace contest = Races.contest(AHEAD);
-        for (PodRace race : List.of(live, contest)) {
-            Races.put(race, 0, 5600, 0, 100, 0);
-            race.play();
-        }
-
-        assertEquals(0, live.pod(0).passed());
-        assertEquals(1, contest.pod(0).passed());
     }
 
     @Test
@@ -85,37 +59,18 @@ class CheckpointsTest {
         assertEquals(8900, live.toNext(0), "to the one behind the finish, which decides between two who finish");
     }
 
-    /** The path ends at the rounded place: 600.4 before the checkpoint becomes 600, which counts, 600.6 becomes 601. */
+    /** Several in one turn, in their order; where the next one is not on the way, none. */
     @ParameterizedTest
-    @CsvSource({"99.6, 4400, 1", "99.4, 4399, 0"})
-    void theEndOfThePathIsRounded(double speed, double end, int passed) {
-        PodRace race = Races.official(AHEAD);
-        Races.put(race, 0, 4300, 0, speed, 0);
+    @CsvSource({"2000, 2", "8000, 0"})
+    void onlyTheNextOneCounts(double x, int passed) {
+        PodRace race = Races.official(new double[][] {{0, 90_000}, {3000, 0}, {4500, 0}, {9000, 0}});
+        Races.put(race, 0, x, 0, 3000, 0);
         race.play();
 
-        assertEquals(end, race.pod(0).x());
         assertEquals(passed, race.pod(0).passed());
-    }
-
-    @Test
-    void severalInOneTurnInTheirOrder() {
-        PodRace race = Races.official(new double[][] {{0, 90_000}, {3000, 0}, {4500, 0}, {9000, 0}});
-        Races.put(race, 0, 2000, 0, 3000, 0);
-        race.play();
-
-        assertEquals(2, race.pod(0).passed());
-        assertEquals(3, race.nextCheckpoint(0));
-        assertEquals(List.of("pod 0, checkpoint 1", "pod 0, checkpoint 2"),
+        assertEquals(1 + passed, race.nextCheckpoint(0));
+        assertEquals(List.of("pod 0, checkpoint 1", "pod 0, checkpoint 2").subList(0, passed),
             race.events().stream().map(TurnEvent::text).toList());
-    }
-
-    @Test
-    void onlyTheNextOneCounts() {
-        PodRace race = Races.official(new double[][] {{0, 90_000}, {3000, 0}, {4500, 0}, {9000, 0}});
-        Races.put(race, 0, 8000, 0, 3000, 0);
-        race.play();
-
-        assertEquals(0, race.pod(0).passed());
     }
 
     @Test

@@ -110,39 +110,24 @@ class EndTest {
         assertEquals(2, race.pod(0).passed(), "two checkpoints that a pod at rest covers");
     }
 
-    /** Both are on their last checkpoint; one has the next one on its path too, behind the finish. */
-    @Test
-    void bothFinishInOneTurnAndTheOneThatHasPassedMoreWins() {
-        PodRace race = Races.duel(2, new double[][] {{0, 0}, {5000, 0}});
-        Races.put(race, 0, 0, -590, 1);
-        race.setPod(1, new PodState(-300, 590, 5400, 0, 0, 0, true, 1));
+    /**
+     * Both are on their last checkpoint. One has the next one on its path too, behind the finish; one is nearer to it;
+     * or they are mirrored about the line through both checkpoints, exactly as near.
+     */
+    @ParameterizedTest
+    @CsvSource({"5000, 0, -590, 0, -300, 590, 5400, 3, 1", "9000, -599, 0, 0, 599, 0, 0, 2, 1",
+        "9000, 0, -450, 0, 0, 450, 0, 2, 0"})
+    void bothFinishInOneTurn(double next, double x, double y, double vx, double otherX, double otherY, double otherVx,
+                             int otherPassed, int rank) {
+        PodRace race = Races.duel(2, new double[][] {{0, 0}, {next, 0}});
+        race.setPod(0, new PodState(x, y, vx, 0, 0, 0, true, 1));
+        race.setPod(1, new PodState(otherX, otherY, otherVx, 0, 0, 0, true, 1));
         race.play();
 
         assertEquals("finished after 1 lap", race.ending());
         assertEquals(2, race.pod(0).passed());
-        assertEquals(3, race.pod(1).passed());
-        assertArrayEquals(new int[] {1, 0}, race.ranks());
-    }
-
-    @Test
-    void bothFinishInOneTurnWithAsManyCheckpointsAndTheOneNearerToTheNextWins() {
-        PodRace race = Races.duel(2, new double[][] {{0, 0}, {9000, 0}});
-        race.setPod(0, new PodState(-599, 0, 0, 0, 0, 0, true, 1));
-        race.setPod(1, new PodState(599, 0, 0, 0, 0, 0, true, 1));
-        race.play();
-
-        assertArrayEquals(new int[] {1, 0}, race.ranks());
-    }
-
-    /** Mirrored about the line through both checkpoints: exactly as near. */
-    @Test
-    void bothFinishInOneTurnExactlyAlikeAndItIsADraw() {
-        PodRace race = Races.duel(2, new double[][] {{0, 0}, {9000, 0}});
-        race.setPod(0, new PodState(0, -450, 0, 0, 0, 0, true, 1));
-        race.setPod(1, new PodState(0, 450, 0, 0, 0, 0, true, 1));
-        race.play();
-
-        assertArrayEquals(new int[] {0, 0}, race.ranks());
+        assertEquals(otherPassed, race.pod(1).passed());
+        assertArrayEquals(new int[] {rank, 0}, race.ranks());
     }
 
     /** Pods far from each other and from all checkpoints. */

@@ -1,6 +1,7 @@
 package steward.game.podrace;
 
 import steward.game.podrace.protocol.PodRaceType;
+import steward.game.podrace.simulator.PodCommands;
 import steward.game.podrace.simulator.PodRaceSimulator;
 import steward.game.podrace.simulator.TextbookPodRace;
 import steward.match.TestScenes;
@@ -54,6 +55,13 @@ public final class Races {
     static void put(PodRace race, double[][] rows) {
         for (int pod = 0; pod < rows.length; pod++) {
             put(race, pod, rows[pod][0], rows[pod][1], (int) rows[pod][2]);
+        }
+    }
+
+    /** Gives all pods of a race the commands of a simulator. */
+    public static void give(PodRace race, PodCommands commands) {
+        for (int pod = 0; pod < commands.pods(); pod++) {
+            race.command(pod, commands.targetX(pod), commands.targetY(pod), commands.thrust(pod));
         }
     }
 

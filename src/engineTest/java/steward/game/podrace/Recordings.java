@@ -11,6 +11,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import steward.game.podrace.protocol.PodRaceType;
+import steward.game.podrace.simulator.PodCommands;
 import steward.match.TestScenes;
 import steward.physics.Impact;
 
@@ -93,6 +94,15 @@ public final class Recordings {
             default -> Integer.parseInt(thrust);
         };
         return new Command(Double.parseDouble(x), Double.parseDouble(y), power);
+    }
+
+    /** Commands of all pods for a simulator. */
+    public static PodCommands commands(Command... of) {
+        PodCommands commands = new PodCommands(of.length);
+        for (int pod = 0; pod < of.length; pod++) {
+            commands.set(pod, of[pod].x(), of[pod].y(), of[pod].thrust());
+        }
+        return commands;
     }
 
     private static double[] numbers(String[] words) {

@@ -162,30 +162,14 @@ class PokerChipRaceTest extends GameRules<PokerChipRace> {
     }
 
     @Override
-    protected void repeatCommands(PokerChipRace game, PokerChipRace twin) {
-        for (int player = 0; player < 2; player++) {
-            for (int k = 0; k < game.table().owned(player); k++) {
-                twin.command(player, k, game.command(player, k));
-            }
-        }
-    }
-
-    @Override
     protected double alike() {
         return 0.9;
     }
 
-    /** Within 1e-3 u: the referee moves chips 1e-5 u away from walls. */
+    /** The referee moves chips 1e-5 u away from walls. */
     @Override
-    protected boolean isAlike(PokerChipRace game, PokerChipRace twin) {
-        Bodies one = game.bodies();
-        Bodies other = twin.bodies();
-        boolean near = one.size() == other.size();
-        for (int k = 0; near && k < one.size(); k++) {
-            near = one.id(k) == other.id(k) && Math.abs(one.x[k] - other.x[k]) < 1e-3
-                && Math.abs(one.y[k] - other.y[k]) < 1e-3 && Math.abs(one.radius[k] - other.radius[k]) < 1e-3;
-        }
-        return near;
+    protected double tolerance() {
+        return 1e-3;
     }
 
     @ParameterizedTest

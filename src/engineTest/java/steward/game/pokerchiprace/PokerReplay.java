@@ -116,34 +116,19 @@ public final class PokerReplay extends VectorReplay<PokerChipRace> {
         comparison.same(what + "lines", Math.max(1, game.table().owned(player)), lines.answerLines(player));
     }
 
-    /** Bounces are impacts of the log, the others are facts of it, each in their order. */
+    /** Eaten ones, and the bounces of chips that are eaten already. */
     @Override
-    protected void compareImpacts(String when, JsonNode turn, PokerChipRace game) {
-        TurnLog log = game.log();
-        int impact = 0;
-        int fact = 0;
-        for (JsonNode of : turn.get("impacts")) {
-            String what = when + " impact " + (impact + fact) + " ";
-            comparison.impact();
-            boolean eaten = of.get("kind").asString().equals("eat");
-            boolean ghosts = of.get("kind").asString().equals("bounce") && of.get("ra").asDouble() < 0;
-            if (eaten || ghosts) {
-                if (fact >= log.facts()) {
-                    comparison.same(what, of.toString(), "none");
-                    return;
-                }
-                compareFact(what, of, log, fact++, ghosts);
-            } else if (impact < log.impacts()) {
-                compare(what, of, log.impact(impact++));
-            } else {
-                comparison.same(what, of.toString(), "none");
-            }
-        }
-        comparison.same(when + " impacts", log.impacts(), impact);
-        comparison.same(when + " facts", log.facts(), fact);
+    protected boolean isFact(JsonNode of, TurnLog log, int fact) {
+        return of.get("kind").asString().equals("eat") || areGhosts(of);
     }
 
-    private void compareFact(String what, JsonNode of, TurnLog log, int fact, boolean ghosts) {
+    private static boolean areGhosts(JsonNode of) {
+        return of.get("kind").asString().equals("bounce") && of.get("ra").asDouble() < 0;
+    }
+
+    @Override
+    protected int compareFact(String what, JsonNode of, TurnLog log, int fact) {
+        boolean ghosts = areGhosts(of);
         int a = of.get("a").asInt();
         int b = of.get("b").asInt();
         boolean first = of.get("ra").asDouble() > of.get("rb").asDouble() || ghosts;
@@ -156,9 +141,11 @@ public final class PokerReplay extends VectorReplay<PokerChipRace> {
         comparison.same(what + "b", ghosts ? b : first ? a : b, log.factB(fact));
         comparison.same(what + "x", eaten.get("x").asDouble(), log.factX(fact));
         comparison.same(what + "y", eaten.get("y").asDouble(), log.factY(fact));
+        return 1;
     }
 
-    private void compare(String what, JsonNode of, Impact impact) {
+    @Override
+    protected void compareImpact(String what, JsonNode of, Impact impact) {
         comparison.same(what + "t", of.get("t").asDouble(), impact.time());
         comparison.same(what + "a", of.get("a").asInt(), impact.a());
         if (impact.isWall()) {
@@ -171,14 +158,10 @@ public final class PokerReplay extends VectorReplay<PokerChipRace> {
             return;
         }
         comparison.same(what + "b", of.path("b").asInt(-1), impact.b());
-        comparison.same(what + "vx of a", of.get("afterA").get("vx").asDouble(), impact.vaxAfter());
-        comparison.same(what + "vy of a", of.get("afterA").get("vy").asDouble(), impact.vayAfter());
-        comparison.same(what + "vx of b", of.get("afterB").get("vx").asDouble(), impact.vbxAfter());
-        comparison.same(what + "vy of b", of.get("afterB").get("vy").asDouble(), impact.vbyAfter());
-        comparison.same(what + "x of a", of.get("afterA").get("x").asDouble(), impact.ax());
-        comparison.same(what + "y of a", of.get("afterA").get("y").asDouble(), impact.ay());
-        comparison.same(what + "x of b", of.get("afterB").get("x").asDouble(), impact.bx());
-        comparison.same(what + "y of b", of.get("afterB").get("y").asDouble(), impact.by());
+        comparison.fields(what + "a: ", of.get("afterA"), "vx", impact.vaxAfter(), "vy", impact.vayAfter(),
+            "x", impact.ax(), "y", impact.ay());
+        comparison.fields(what + "b: ", of.get("afterB"), "vx", impact.vbxAfter(), "vy", impact.vbyAfter(),
+            "x", impact.bx(), "y", impact.by());
     }
 
     /** When a player has lost is counted in turns from the start, so that it is compared where they are played. */
@@ -193,15 +176,13 @@ public final class PokerReplay extends VectorReplay<PokerChipRace> {
             comparison.fields(what, chip, "id", bodies.id(k), "player", bodies.columns[ChipTable.OWNER][k],
                 "x", bodies.x[k], "y", bodies.y[k], "vx", bodies.vx[k], "vy", bodies.vy[k],
                 "radius", bodies.radius[k], "parent", bodies.columns[ChipTable.PARENT][k]);
-            TreeSet<Integer> bounced = new TreeSet<>();
-            chip.get("bounce").forEach(other -> bounced.add(other.asInt()));
-            comparison.same(what + "remembers", bounced, remembered(bodies, bodies.id(k)));
+            comparison.same(what + "remembers", new TreeSet<>(numbers(chip.get("bounce"))),
+                remembered(bodies, bodies.id(k)));
         }
         for (int player = 0; player < game.players(); player++) {
             JsonNode owner = state.get("owners").get(player);
-            List<Integer> left = new ArrayList<>();
-            owner.get("chips").forEach(id -> left.add(id.asInt()));
-            owner.get("eaten").forEach(id -> left.remove((Integer) id.asInt()));
+            List<Integer> left = numbers(owner.get("chips"));
+            left.removeAll(numbers(owner.get("eaten")));
             List<Integer> own = new ArrayList<>();
             for (int k = 0; k < game.table().owned(player); k++) {
                 own.add(game.table().ownId(player, k));

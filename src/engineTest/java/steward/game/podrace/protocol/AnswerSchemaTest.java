@@ -17,17 +17,13 @@ class AnswerSchemaTest {
 
     private static final Schema SCHEMA = Schemas.open("pod-race", "answer");
 
-    private static boolean isRead(String answer) {
+    /** Holds an answer with single quotes, in which P is a pod, to what is said of it. */
+    private static void assertVerdicts(boolean read, boolean valid, String text) {
+        String answer = text.replace("P", "{'x':1,'y':2,'thrust':3}").replace('\'', '"');
         byte[] bytes = answer.getBytes(StandardCharsets.UTF_8);
-        return new PodRaceAnswer(1, 200).read(bytes, bytes.length) == null;
-    }
 
-    private static boolean isValid(String answer) {
-        return SCHEMA.validate(answer, InputFormat.JSON).isEmpty();
-    }
-
-    private static String pod(String fields) {
-        return "{\"pods\":[{" + fields + "}]}";
+        assertEquals(read, new PodRaceAnswer(1, 200).read(bytes, bytes.length) == null, "read");
+        assertEquals(valid, SCHEMA.validate(answer, InputFormat.JSON).isEmpty(), "valid");
     }
 
     @ParameterizedTest
@@ -36,9 +32,7 @@ class AnswerSchemaTest {
         "'thrust':7,'y':2,'x':1", "'x':-1.5,'y':2.25e3,'thrust':1", "'x':1e308,'y':-1e308,'thrust':1",
         "'x':0.000000000000000000000000001,'y':-0.0,'thrust':1", "'x':12345678901234567890,'y':0,'thrust':1"})
     void goodCommands(String fields) {
-        String answer = pod(fields.replace('\'', '"'));
-
-        assertEquals("read true, valid true", "read " + isRead(answer) + ", valid " + isValid(answer));
+        assertVerdicts(true, true, "{'pods':[{" + fields + "}]}");
     }
 
     @ParameterizedTest
@@ -55,9 +49,7 @@ class AnswerSchemaTest {
         "'x':1,'y':2,'thrust':1,'z':3", "'x':1,'y':2,'Thrust':1", "'x':1,'y':2,'thrust':1,'message':'m'",
         "'x':1e999,'y':2,'thrust':1", "'x':1,'y':-1e999,'thrust':1"})
     void badCommands(String fields) {
-        String answer = pod(fields.replace('\'', '"'));
-
-        assertEquals("read false, valid false", "read " + isRead(answer) + ", valid " + isValid(answer));
+        assertVerdicts(false, false, "{'pods':[{" + fields + "}]}");
     }
 
     @ParameterizedTest
@@ -66,9 +58,7 @@ class AnswerSchemaTest {
         "{'pods':[P],'message':'\\u00e4\\ud83d\\ude00'}",
         "{'pods':[{'x':1,'y':2,'thrust':100.0}]}", "{'pods':[{'x':1,'y':2,'thrust':1e2}]}"})
     void goodAnswers(String text) {
-        String answer = answer(text);
-
-        assertEquals("read true, valid true", "read " + isRead(answer) + ", valid " + isValid(answer));
+        assertVerdicts(true, true, text);
     }
 
     @ParameterizedTest
@@ -77,9 +67,7 @@ class AnswerSchemaTest {
         "{'pods':[null]}", "{'pods':[[P]]}", "{'pods':[P],'message':null}", "{'pods':[P],'message':1}",
         "{'pods':[P],'message':['m']}", "{'pods':[P],'massage':'m'}", "{'pod':[P]}", "{'message':'m'}"})
     void badAnswers(String text) {
-        String answer = answer(text);
-
-        assertEquals("read false, valid false", "read " + isRead(answer) + ", valid " + isValid(answer));
+        assertVerdicts(false, false, text);
     }
 
     /** A number of pods that another scene has, and what no JSON value can show. */
@@ -88,12 +76,6 @@ class AnswerSchemaTest {
         "{'pods':[P,P]}",
         "{'pods':[P],'pods':[P]}", "{'pods':[{'x':1,'x':1,'y':2,'thrust':100}]}"})
     void beyondWhatASchemaCanSay(String text) {
-        String answer = answer(text);
-
-        assertEquals("read false, valid true", "read " + isRead(answer) + ", valid " + isValid(answer));
-    }
-
-    private static String answer(String text) {
-        return text.replace("P", "{'x':1,'y':2,'thrust':3}").replace('\'', '"');
+        assertVerdicts(false, true, text);
     }
 }

@@ -8,6 +8,8 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import steward.game.CodecText;
 import steward.game.GameSetup;
 import steward.game.Pilot;
@@ -29,6 +31,11 @@ class SearchRaceTest {
         race.set(x, y, vx, vy, StrictMath.toRadians(degrees), passed, 10, 2);
     }
 
+    private void turn(int degrees, int thrust) {
+        race.turn(degrees, thrust);
+        race.play();
+    }
+
     private static void command(GameSetup setup, SearchRace game, SplitMix64 random) {
         assertEquals(null, CodecText.read(setup.codec(game), 0, setup.pilot(Pilot.Aim.WIN).answer(game, 0, random)));
     }
@@ -36,12 +43,10 @@ class SearchRaceTest {
     /** 200 to the right, 85% of 200 kept; then 170 + 200 more, and 85% of 370 is 314.5, cut to 314. */
     @Test
     void thrustAddsToTheSpeedOfWhichMostIsKept() {
-        race.turn(0, 200);
-        race.play();
+        turn(0, 200);
         assertEquals(200, race.bodies().x[0]);
         assertEquals(170, race.bodies().vx[0]);
-        race.turn(0, 200);
-        race.play();
+        turn(0, 200);
         assertEquals(570, race.bodies().x[0]);
         assertEquals(314, race.bodies().vx[0]);
         assertEquals(0, race.bodies().y[0]);
@@ -68,30 +73,25 @@ class SearchRaceTest {
         assertEquals(StrictMath.toRadians(30), race.heading(), 1e-15);
     }
 
+    @ParameterizedTest
+    @CsvSource({"350, 18, 8", "350, 10, 360", "10, -10, 0"})
+    void headingsAreWholeDegreesFromZeroToThreeHundredAndSixty(int before, int by, double after) {
+        set(100, 2000, 0, 0, before, 0);
+        turn(by, 0);
+        assertEquals(after, StrictMath.toDegrees(race.heading()), 1e-12);
+    }
+
+    /** At atan2(4000, 3000) = 53.13 degrees. */
     @Test
-    void headingsAreWholeDegreesFromZeroToThreeHundredAndSixty() {
-        set(100, 2000, 0, 0, 350, 0);
-        race.turn(18, 0);
-        race.play();
-        assertEquals(8, Math.round(StrictMath.toDegrees(race.heading())));
-        set(100, 2000, 0, 0, 350, 0);
-        race.turn(10, 0);
-        race.play();
-        assertEquals(360, Math.round(StrictMath.toDegrees(race.heading())));
-        set(100, 2000, 0, 0, 10, 0);
-        race.turn(-10, 0);
-        race.play();
-        assertEquals(0, race.heading());
-        assertEquals(53, Math.round(StrictMath.toDegrees(SearchRaces.onMap("0 0;3000 4000").heading())),
-            "the start looks at the first checkpoint, atan2(4000, 3000) = 53.13 degrees");
+    void theStartLooksAtTheFirstCheckpointInWholeDegrees() {
+        assertEquals(53, StrictMath.toDegrees(SearchRaces.onMap("0 0;3000 4000").heading()), 1e-12);
     }
 
     /** From x = 4300 at 200 a turn the edge at x = 4400 is reached after half a turn. */
     @Test
     void aCheckpointIsPassedAtTheTimeOfItsEdge() {
         set(4300, 0, 200, 0, 0, 0);
-        race.turn(0, 0);
-        race.play();
+        turn(0, 0);
         assertEquals(1, race.passed());
         assertEquals(0.5, race.passTime());
         assertEquals(2, race.nextCheckpoint());
@@ -99,8 +99,7 @@ class SearchRaceTest {
         assertEquals(0.5, event.time());
         assertEquals(4400, event.x());
         assertEquals("checkpoint 1", event.text());
-        race.turn(0, 0);
-        race.play();
+        turn(0, 0);
         assertEquals(SearchRace.NOT_PASSED, race.passTime());
     }
 
@@ -121,32 +120,22 @@ class SearchRaceTest {
     void theScoreIsTheTimeAndLowerIsBetter() {
         set(-700, 0, 200, 0, 0, 8);
         assertEquals(1000, race.scores()[0]);
-        race.turn(0, 0);
-        race.play();
+        turn(0, 0);
         assertEquals("finished after 3 laps", race.ending());
         assertEquals(10.5, race.scores()[0]);
         assertTrue(race.lowerScoreIsBetter());
         assertThrows(IllegalStateException.class, race::play);
     }
 
-    @Test
-    void aFinishInTheLastTurnComesTooLate() {
-        race.set(-700, 0, 200, 0, 0, 8, 598, 2);
-        race.turn(0, 0);
-        race.play();
-        assertEquals(598.5, race.scores()[0]);
-        SearchRace late = SearchRaces.onMap(COURSE);
-        late.set(-700, 0, 200, 0, 0, 8, 599, 2);
-        late.turn(0, 0);
-        late.play();
-        assertEquals("lost: finished in the last of 600 turns, too late to be declared", late.ending());
-        assertEquals(1000, late.scores()[0]);
-        SearchRace never = SearchRaces.onMap(COURSE);
-        never.set(0, 5000, 0, 0, 0, 0, 599, 2);
-        never.turn(0, 0);
-        never.play();
-        assertEquals("lost: not finished in 600 turns", never.ending());
-        assertEquals(1000, never.scores()[0]);
+    @ParameterizedTest
+    @CsvSource({"598, -700, 8, 598.5, finished after 3 laps",
+        "599, -700, 8, 1000, 'lost: finished in the last of 600 turns, too late to be declared'",
+        "599, 5000, 0, 1000, lost: not finished in 600 turns"})
+    void aFinishInTheLastTurnComesTooLate(int timer, double x, int passed, double score, String ending) {
+        race.set(x, 0, 200, 0, 0, passed, timer, 2);
+        turn(0, 0);
+        assertEquals(score, race.scores()[0]);
+        assertEquals(ending, race.ending());
     }
 
     @Test

@@ -67,9 +67,7 @@ class CppHeaderTest {
     }
 
     private void play(PodRace race, PodCommands commands, int checkpoints) {
-        for (int pod = 0; pod < PODS; pod++) {
-            race.command(pod, commands.targetX(pod), commands.targetY(pod), commands.thrust(pod));
-        }
+        Races.give(race, commands);
         race.play();
         boolean all = race.isIn(0) && race.isIn(1);
         header.turn(commands, pods(race), checkpoints, new int[] {race.isIn(0) ? race.turnsLeft(0)
@@ -175,16 +173,12 @@ class CppHeaderTest {
     /** The whole games of 2016. */
     @Test
     void everyTurnOfTheRecordedGamesIsThatOfTheServer() throws IOException, InterruptedException {
-        PodCommands commands = new PodCommands(PODS);
         for (Recordings.Recording recording : Recordings.all()) {
             double[][] map = recording.checkpoints();
             header.map(map, RulesEdition.LIVE);
             PodRaceSimulator race = new PodRaceSimulator(map);
             for (Recordings.Round round : recording.rounds()) {
-                for (int pod = 0; pod < PODS; pod++) {
-                    Recordings.Command command = round.commands()[pod];
-                    commands.set(pod, command.x(), command.y(), command.thrust());
-                }
+                PodCommands commands = Recordings.commands(round.commands());
                 race.play(commands);
                 PodState[] after = IntStream.range(0, PODS).mapToObj(pod -> new PodState(round.after()[pod][0],
                     round.after()[pod][1], round.after()[pod][2], round.after()[pod][3], race.heading(pod),
@@ -237,11 +231,7 @@ class CppHeaderTest {
     }
 
     private static PodCommands commands(String[] words) {
-        PodCommands commands = new PodCommands(PODS);
-        for (int pod = 0; pod < PODS; pod++) {
-            Recordings.Command command = Recordings.command(words[1 + 3 * pod], words[2 + 3 * pod], words[3 + 3 * pod]);
-            commands.set(pod, command.x(), command.y(), command.thrust());
-        }
-        return commands;
+        return Recordings.commands(IntStream.range(0, PODS).mapToObj(pod -> Recordings.command(words[1 + 3 * pod],
+            words[2 + 3 * pod], words[3 + 3 * pod])).toArray(Recordings.Command[]::new));
     }
 }

@@ -66,8 +66,8 @@ class PodRaceSimulatorTest {
             int length = random.turns();
             for (int turn = 0; turn < length && !plain.isOver(); turn++, turns++) {
                 random.commands(fast);
-                random.give(plain);
-                random.give(shipped);
+                Races.give(plain, random.commands);
+                Races.give(shipped, random.commands);
                 passes -= passed(fast);
                 fast.play(random.commands);
                 plain.play();

@@ -69,10 +69,7 @@ class PodTurnEdgesTest {
             String start = text(plain);
             for (int turn = edges.turns(); turn > 0 && !plain.isOver(); turn--, turns++) {
                 edges.draw(plain);
-                for (int pod = 0; pod < pods; pod++) {
-                    plain.command(pod, edges.commands.targetX(pod), edges.commands.targetY(pod),
-                        edges.commands.thrust(pod));
-                }
+                Races.give(plain, edges.commands);
                 plain.play();
                 fast.play(edges.commands);
                 long number = turns;
@@ -146,10 +143,10 @@ class PodTurnEdgesTest {
         for (int pod = 0; pod < 4; pod++) {
             plain.setPod(pod, pods[pod]);
             Races.put(fast, pod, pods[pod]);
-            plain.command(pod, commands[pod][0], commands[pod][1], (int) commands[pod][2]);
             given.set(pod, commands[pod][0], commands[pod][1], (int) commands[pod][2]);
         }
 
+        Races.give(plain, given);
         plain.play();
         fast.play(given);
 

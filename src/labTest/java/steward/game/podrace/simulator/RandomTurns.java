@@ -203,12 +203,6 @@ final class RandomTurns {
         }
     }
 
-    void give(PodRace race) {
-        for (int pod = 0; pod < PODS; pod++) {
-            race.command(pod, commands.targetX(pod), commands.targetY(pod), commands.thrust(pod));
-        }
-    }
-
     void play(TextbookPodRace race) {
         race.play(commands.targetX, commands.targetY, commands.thrust);
     }
