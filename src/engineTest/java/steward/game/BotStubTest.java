@@ -1,11 +1,10 @@
 package steward.game;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
+import static steward.match.Refusal.refused;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.function.Executable;
 import steward.game.BotStub.Command;
 import steward.game.BotStub.Field;
 import steward.game.BotStub.Input;
@@ -19,7 +18,7 @@ class BotStubTest {
         assertEquals(List.of(new Field("id", "id", Kind.INT), new Field("next", "nextCheckpoint", Kind.REAL),
             new Field("kind", "kind", Kind.WORD)),
             Input.values("id:int  next=nextCheckpoint:real kind:word").fields());
-        assertRefused("found the field \"x\", expected NAME:KIND or NAME=KEY:KIND with int, real or word as KIND",
+        refused("found the field \"x\", expected NAME:KIND or NAME=KEY:KIND with int, real or word as KIND",
             () -> Input.values("id:int x"));
     }
 
@@ -27,7 +26,7 @@ class BotStubTest {
     void aNameIsOneInAllLanguages() {
         for (String name : List.of("class", "lambda", "auto", "let", "command", "nearest", "first name", "1st", "",
                 "each")) {
-            assertRefused("found the name \"" + name
+            refused("found the name \"" + name
                 + "\", expected letters and digits that are no word of Python, Java, C++ or JavaScript",
                 () -> Command.each(name, "pods", ""));
         }
@@ -37,11 +36,7 @@ class BotStubTest {
     @Test
     void aTypeHasOneForm() {
         List<Input> two = List.of(Input.lines("pods", "Pod", "2", "x:int"), Input.lines("others", "Pod", "2", "y:int"));
-        assertRefused("found two forms of the type Pod, expected one",
+        refused("found two forms of the type Pod, expected one",
             () -> new BotStub(List.of(), two, "", List.of(), List.of()));
-    }
-
-    private static void assertRefused(String message, Executable call) {
-        assertEquals(message, assertThrows(IllegalArgumentException.class, call).getMessage());
     }
 }

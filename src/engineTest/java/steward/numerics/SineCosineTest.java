@@ -3,13 +3,12 @@ package steward.numerics;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.match.Allocated;
 import steward.match.TestSize;
 
 /**
@@ -176,16 +175,11 @@ class SineCosineTest {
         for (int k = 0; k < some.length; k++) {
             some[k] = angle();
         }
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        long allocated = Long.MAX_VALUE;
-        for (int count = 0; count < 20 && allocated > 0; count++) {
-            long before = threads.getCurrentThreadAllocatedBytes();
+        Allocated.assertNone(20, some.length + " angles", () -> Allocated.by(() -> {
             for (double angle : some) {
                 angles.turn(angle);
                 bySeries.turn(angle);
             }
-            allocated = threads.getCurrentThreadAllocatedBytes() - before;
-        }
-        assertEquals(0, allocated, "bytes for " + some.length + " angles");
+        }));
     }
 }

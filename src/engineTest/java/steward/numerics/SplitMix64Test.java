@@ -2,8 +2,8 @@ package steward.numerics;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static steward.match.Refusal.refused;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
@@ -87,10 +87,6 @@ class SplitMix64Test {
         refused("range 0..2147483647, expected 1 to 2^31 - 1 numbers", () -> random.nextInt(0, Integer.MAX_VALUE));
         refused("range -2147483648..2147483647, expected 1 to 2^31 - 1 numbers",
             () -> random.nextInt(Integer.MIN_VALUE, Integer.MAX_VALUE));
-    }
-
-    private static void refused(String message, Runnable call) {
-        assertEquals(message, assertThrows(IllegalArgumentException.class, call::run).getMessage());
     }
 
     /** Multiples of 2^-53 below 1; the mean of 10,000 has a standard deviation of 1 / sqrt(12 * 10000) = 0.0029. */

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static steward.match.Refusal.refused;
 
 import org.junit.jupiter.api.Test;
 import steward.numerics.SplitMix64;
@@ -14,10 +15,6 @@ class BodiesTest {
 
     private static final double NAN = Double.NaN;
     private static final double INFINITY = Double.POSITIVE_INFINITY;
-
-    private static void refused(String message, Runnable call) {
-        assertEquals(message, assertThrows(IllegalArgumentException.class, call::run).getMessage());
-    }
 
     /** Ids 0, 2, 5: the body at index 1 is called 2, and the next will be 6. */
     private static Bodies three() {

@@ -1,7 +1,7 @@
 package steward.physics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertThrows;
+import static steward.match.Refusal.refused;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -13,10 +13,6 @@ class ImpactLawTest {
 
     private static final double NAN = Double.NaN;
     private static final double INFINITY = Double.POSITIVE_INFINITY;
-
-    private static void refused(String message, Runnable call) {
-        assertEquals(message, assertThrows(IllegalArgumentException.class, call::run).getMessage());
-    }
 
     @Test
     void valuesOutOfRangeAreRefusedByName() {

@@ -1,12 +1,10 @@
 package steward.physics.event;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import steward.match.Allocated;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
 import steward.physics.Arena;
@@ -97,19 +95,12 @@ class AllocationTest {
         }
         Bodies bodies = new Bodies(6);
         TurnLog log = new TurnLog();
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        play(advance, start, bodies, log, 2000, threads);
-        long allocated = Long.MAX_VALUE;
+        play(advance, start, bodies, log, 2000);
         assertTrue(log.impacts() > 0, "nothing happened in the last turns");
-        for (int count = 0; count < 5 && allocated > 0; count++) {
-            allocated = play(advance, start, bodies, log, 1000, threads);
-        }
-        assertEquals(0, allocated, "bytes in 1,000 turns");
+        Allocated.assertNone(5, "1,000 turns", () -> Allocated.by(() -> play(advance, start, bodies, log, 1000)));
     }
 
-    private static long play(Advance advance, Bodies start, Bodies bodies, TurnLog log, int turns,
-                             ThreadMXBean threads) {
-        long before = threads.getCurrentThreadAllocatedBytes();
+    private static void play(Advance advance, Bodies start, Bodies bodies, TurnLog log, int turns) {
         for (int turn = 0; turn < turns; turn++) {
             if (turn % 10 == 0) {
                 bodies.copyFrom(start);
@@ -117,6 +108,5 @@ class AllocationTest {
             }
             advance.turn(bodies, log);
         }
-        return threads.getCurrentThreadAllocatedBytes() - before;
     }
 }

@@ -50,10 +50,7 @@ class EventAdvanceTest {
      */
     @Test
     void aChainHandsTheSpeedOn() {
-        Bodies bodies = new Bodies(4);
-        for (int k = 0; k < 4; k++) {
-            Scenes.add(bodies, 60 * k, 0, k == 0 ? 400 : 0, 0, 1);
-        }
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 400, 0}, {60, 0, 0, 0}, {120, 0, 0, 0}, {180, 0, 0, 0}});
         TurnLog log = Scenes.turn(Scenes.advance(ImpactLaw.PHYSICS), bodies);
         assertEquals(3, log.impacts());
         for (int k = 0; k < 3; k++) {

@@ -191,10 +191,8 @@ class ExactTurnTest {
             }
             double energy = Scenes.energy(bodies);
             EventAdvance advance = exact(Scenes.WITH_RESTITUTION, walls);
-            TurnLog log = new TurnLog();
             for (int turn = 0; turn < 10; turn++) {
-                log.clear();
-                advance.turn(bodies, log);
+                TurnLog log = Scenes.turn(advance, bodies);
                 impacts += log.impacts();
                 assertFalse(log.limited(), "seed " + seed + " turn " + turn);
                 assertTrue(Scenes.deepestOverlap(bodies, walls) <= 1e-9, "seed " + seed + " turn " + turn);
@@ -234,10 +232,8 @@ class ExactTurnTest {
         for (long seed = 1; seed <= turns; seed++) {
             Bodies bodies = Scenes.grid(new SplitMix64(seed), 2, 4000, 400, 900);
             Bodies twin = bodies.copy();
-            TurnLog a = new TurnLog();
-            TurnLog b = new TurnLog();
-            official.turn(bodies, a);
-            exact.turn(twin, b);
+            TurnLog a = Scenes.turn(official, bodies);
+            TurnLog b = Scenes.turn(exact, twin);
             boolean alike = a.impacts() == b.impacts() && a.knots() >= b.knots();
             for (int k = 0; alike && k < a.impacts(); k++) {
                 alike = Math.abs(a.impact(k).time() - b.impact(k).time()) < 1e-9;

@@ -31,9 +31,7 @@ class ForcesTest {
     }
 
     private static void turn(Advance advance, Bodies bodies, TurnSink sink) {
-        for (int k = 0; k < bodies.size(); k++) {
-            GRAVITY.accelerate(bodies, k, 0, 0);
-        }
+        Scenes.accelerate(GRAVITY, bodies);
         advance.turn(bodies, sink);
     }
 
@@ -78,8 +76,7 @@ class ForcesTest {
     @EnumSource
     void anElasticBallKeepsItsEnergyAtTheEndsOfTurns(Arithmetic arithmetic) {
         for (Advance advance : both(ImpactLaw.PHYSICS, arithmetic, floor())) {
-            Bodies bodies = new Bodies(1);
-            Scenes.add(bodies, 0, 10 + 73.3, 0, 0, 1);
+            Bodies bodies = Scenes.bodies(new double[] {0, 10 + 73.3, 0, 0});
             double energy = 0.5 + 2 * 73.3;
             for (int turn = 0; turn < 500; turn++) {
                 turn(advance, bodies, TurnSink.NONE);
@@ -117,8 +114,7 @@ class ForcesTest {
     @EnumSource
     void aBodySlidesDownASlope(Arithmetic arithmetic) {
         for (Advance advance : both(Scenes.WITH_RESTITUTION, arithmetic, new HalfPlane(0, 0, 0.6, 0.8, 1))) {
-            Bodies bodies = new Bodies(1);
-            Scenes.add(bodies, 0.6 * 10.01, 0.8 * 10.01, 0, 0, 1);
+            Bodies bodies = Scenes.bodies(new double[] {0.6 * 10.01, 0.8 * 10.01, 0, 0});
             bodies.setRestitution(0, 0.5);
             for (int turn = 1; turn <= 20; turn++) {
                 turn(advance, bodies, TurnSink.NONE);

@@ -27,13 +27,11 @@ class ImpactLimitTest {
     /** Plays turns and checks after each: numbers, overlaps, and energies where no infinite mass works. */
     private static int play(Bodies bodies, EventAdvance advance, int turns, boolean energyMayGrow, Runnable push,
                             Wall... walls) {
-        TurnLog log = new TurnLog();
         int limited = 0;
         for (int turn = 0; turn < turns; turn++) {
             push.run();
             double energy = Scenes.energy(bodies);
-            log.clear();
-            advance.turn(bodies, log);
+            TurnLog log = Scenes.turn(advance, bodies);
             assertTrue(Scenes.allFinite(bodies), "turn " + turn);
             assertTrue(Scenes.deepestOverlap(bodies, walls) <= 1e-9,
                 "turn " + turn + ": overlap " + Scenes.deepestOverlap(bodies, walls));
@@ -153,8 +151,7 @@ class ImpactLimitTest {
     void aBodyThatSlidesAlongARoundWallWithoutFullRestitutionKeepsItsSpeed() {
         for (double e : new double[] {0, 0.5, 0.9}) {
             Wall[] walls = {new Arena(0, 0, 1000, e)};
-            Bodies bodies = new Bodies(1);
-            Scenes.add(bodies, 989, 0, 1, 50, 1);
+            Bodies bodies = Scenes.bodies(new double[] {989, 0, 1, 50});
             int limited = play(bodies, Scenes.advance(Scenes.WITH_RESTITUTION, walls), 100, false, () -> { }, walls);
             assertEquals(0, limited, "e " + e);
             double angle = Math.atan2(bodies.y[0], bodies.x[0]);
@@ -165,11 +162,8 @@ class ImpactLimitTest {
     /** With a bound of 3 the fourth impact of a chain does not happen: its two stand, the rest flies on. */
     @Test
     void theBoundIsTheLawsAndItsEndIsNamed() {
-        Bodies bodies = new Bodies(6);
-        Scenes.add(bodies, 900, 900, 1, 1, 1);
-        for (int k = 0; k < 5; k++) {
-            Scenes.add(bodies, 60 * k, 0, k == 0 ? 400 : 0, 0, 1);
-        }
+        Bodies bodies = Scenes.bodies(new double[][] {{900, 900, 1, 1}, {0, 0, 400, 0}, {60, 0, 0, 0}, {120, 0, 0, 0},
+            {180, 0, 0, 0}, {240, 0, 0, 0}});
         bodies.remove(0);
         TurnLog log = Scenes.turn(Scenes.advance(ImpactLaw.PHYSICS.withMaximumImpacts(3)), bodies);
         assertEquals(3, log.impacts());

@@ -4,12 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import steward.numerics.SplitMix64;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
-import steward.physics.Contacts;
 import steward.physics.HalfPlane;
 import steward.physics.Impact;
 import steward.physics.ImpactLaw;
@@ -97,8 +95,8 @@ class InelasticTest {
      */
     @Test
     void aWallDoesNotPullWhoWasTurnedRoundInTheSameBatch() {
-        PhysicsParts parts = new PhysicsParts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL, new Contacts(1),
-            List.of(new HalfPlane(0, 0, 0, 1, 1)), null, false);
+        PhysicsParts parts = Scenes.parts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL,
+            new HalfPlane(0, 0, 0, 1, 1));
         Bodies bodies = Scenes.bodies(new double[][] {{0, 425, 0, -50, 1, 400}, {400 - 1e-4, 100, 0, 0, 10, 100}});
         TurnLog log = Scenes.turn(new EventAdvance(parts), bodies);
         for (int k = 0; k < log.impacts(); k++) {

@@ -122,14 +122,10 @@ class PilesTest {
         PhysicsParts parts = Scenes.parts(Scenes.WITH_RESTITUTION, arithmetic, walls).withForces(gravity);
         Bodies bodies = bodies(new SplitMix64(count), count, ratio, restitution, walls);
         Advance advance = new EventAdvance(parts);
-        TurnLog log = new TurnLog();
         int still = 0;
         for (int turn = 1; turn <= turns && still < 20; turn++) {
-            for (int k = 0; k < count; k++) {
-                gravity.accelerate(bodies, k, 0, 0);
-            }
-            log.clear();
-            advance.turn(bodies, log);
+            Scenes.accelerate(gravity, bodies);
+            TurnLog log = Scenes.turn(advance, bodies);
             String where = arithmetic + ", " + count + " bodies, e " + restitution + ", turn " + turn + ": ";
             assertTrue(!log.limited() && (still == 0 || log.impacts() <= MOST_IMPACTS), where + log.impacts());
             assertTrue(Scenes.deepestOverlap(bodies, walls) <= 1e-11, where + "overlap");

@@ -85,8 +85,7 @@ class PushOutTest {
     /** Centre 7 above the floor with radius 10: 3 deep, pushed 3 + 2 * 1 as against a rock. */
     @Test
     void allOfItAwayFromAWall() {
-        Bodies bodies = new Bodies(1);
-        Scenes.add(bodies, 50, 7, 1, -1, 1);
+        Bodies bodies = Scenes.bodies(new double[] {50, 7, 1, -1});
         TurnLog log = react(bodies, ~0, new HalfPlane(0, 0, 0, 1, 1));
         assertEquals(12, bodies.y[0]);
         assertArrayEquals(new double[] {0, 0.5, 50, 7}, knot(log, 0));

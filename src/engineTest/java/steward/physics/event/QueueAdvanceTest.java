@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -18,6 +17,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import steward.match.Refusal;
 import steward.numerics.SplitMix64;
 import steward.physics.Advance;
 import steward.physics.Arena;
@@ -56,7 +56,7 @@ class QueueAdvanceTest {
             for (long seed = 1; seed <= (arithmetic == Arithmetic.EXACT ? 2 : 4); seed++) {
                 SplitMix64 random = new SplitMix64(seed);
                 Bodies bodies = Scenes.grid(random, perRow, SIDE, 0.3 * SIDE / perRow, 0.7 * SIDE / perRow);
-                compare("box, seed " + seed, parts(ImpactLaw.PHYSICS, arithmetic, BOX), bodies, 6);
+                compare("box, seed " + seed, Scenes.parts(ImpactLaw.PHYSICS, arithmetic, BOX), bodies, 6);
             }
         }
         assertTrue(impacts > 2000, impacts + " impacts");
@@ -71,7 +71,7 @@ class QueueAdvanceTest {
             bodies.setRestitution(k, 0.5 + 0.5 * random.nextDouble());
         }
         ImpactLaw law = Scenes.WITH_RESTITUTION.withMinimumImpulse(5, seed % 2 == 0);
-        compare("walls, seed " + seed, parts(law, Arithmetic.DOUBLE, ODD), bodies, 8);
+        compare("walls, seed " + seed, Scenes.parts(law, Arithmetic.DOUBLE, ODD), bodies, 8);
         assertTrue(impacts > 100, impacts + " impacts");
     }
 
@@ -84,7 +84,7 @@ class QueueAdvanceTest {
             bodies.setRadius(60 * k + 30, 60 + 30 * k);
             bodies.setMass(60 * k + 30, k == 1 ? Double.POSITIVE_INFINITY : 500);
         }
-        compare("large, seed " + seed, parts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, BOX), bodies, 4);
+        compare("large, seed " + seed, Scenes.parts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE, BOX), bodies, 4);
         assertTrue(impacts > 100, impacts + " impacts");
     }
 
@@ -98,7 +98,7 @@ class QueueAdvanceTest {
             bodies.setVelocity(k, (k % 7 == 0 ? speed : 0.4) * bodies.vx[k], 0.4 * bodies.vy[k]);
         }
         for (int turn = 0; turn < 3; turn++) {
-            compare("speed " + speed, parts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE), bodies, 1);
+            compare("speed " + speed, Scenes.parts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE), bodies, 1);
         }
         assertTrue(impacts > 20, impacts + " impacts");
     }
@@ -113,8 +113,8 @@ class QueueAdvanceTest {
                     bodies.add(64 * (k % 14) + (20 + gap / 4.0) * (k % 2), 64 * (k / 14), 10, 1);
                     bodies.setVelocity(k, k % 14 < 7 ? 64 : -64, k / 14 < 7 ? 16 : -16);
                 }
-                ImpactLaw law = ImpactLaw.PHYSICS;
-                compare("lattice " + gap, parts(descending ? descending(law) : law, Arithmetic.DOUBLE), bodies, 1);
+                ImpactLaw law = descending ? descending(ImpactLaw.PHYSICS) : ImpactLaw.PHYSICS;
+                compare("lattice " + gap, Scenes.parts(law, Arithmetic.DOUBLE), bodies, 1);
             }
         }
         assertTrue(impacts > 100, impacts + " impacts");
@@ -143,7 +143,7 @@ class QueueAdvanceTest {
                     }
                 }
                 int before = impacts;
-                compare("end " + hair + ", drift " + drift, parts(ImpactLaw.PHYSICS, arithmetic), bodies, 1);
+                compare("end " + hair + ", drift " + drift, Scenes.parts(ImpactLaw.PHYSICS, arithmetic), bodies, 1);
                 assertEquals(hair > 0 ? 0 : 60, impacts - before, "hair " + hair + ", drift " + drift);
             }
         }
@@ -158,7 +158,7 @@ class QueueAdvanceTest {
     @EnumSource(Arithmetic.class)
     void impactsAtTheVeryEndAfterOthers(Arithmetic arithmetic) {
         Wall[] walls = {new HalfPlane(0, -30, 0, 1, 1), new HalfPlane(0, 130, 0, -1, 1)};
-        PhysicsParts parts = parts(ImpactLaw.PHYSICS, arithmetic, walls);
+        PhysicsParts parts = Scenes.parts(ImpactLaw.PHYSICS, arithmetic, walls);
         Bodies bodies = new Bodies(90);
         for (int k = 0; k < 30; k++) {
             double x = 256 * k;
@@ -196,7 +196,7 @@ class QueueAdvanceTest {
                 Scenes.add(bodies, k == hitter ? 0 : 64, k == hitter ? 0 : left ? -12 : 12,
                     k == hitter ? 100 : 0, 0, 1);
             }
-            compare("hitter " + hitter, parts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE), bodies, 1);
+            compare("hitter " + hitter, Scenes.parts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE), bodies, 1);
         }
         assertTrue(impacts >= 6, impacts + " impacts");
     }
@@ -216,11 +216,7 @@ class QueueAdvanceTest {
     }
 
     private void compareOnLattice(Arithmetic arithmetic, double[][] world) {
-        Bodies bodies = new Bodies(world.length);
-        for (double[] of : world) {
-            bodies.setVelocity(bodies.add(of[0], of[1], 10, 1), of[2], of[3]);
-        }
-        compare(arithmetic + ", lattice", parts(ImpactLaw.PHYSICS, arithmetic), bodies, 1);
+        compare(arithmetic + ", lattice", Scenes.parts(ImpactLaw.PHYSICS, arithmetic), Scenes.bodies(world), 1);
     }
 
     /** At a slanted wall, which bodies touch and along which they move but for rounding. */
@@ -228,7 +224,7 @@ class QueueAdvanceTest {
     @EnumSource(Arithmetic.class)
     void nearlySlidingAlongASlantedWallIsNotOverlooked(Arithmetic arithmetic) {
         SplitMix64 random = new SplitMix64(12);
-        PhysicsParts parts = parts(Scenes.WITH_RESTITUTION, arithmetic, new HalfPlane(0, 0, 0.6, 0.8, 0.9));
+        PhysicsParts parts = Scenes.parts(Scenes.WITH_RESTITUTION, arithmetic, new HalfPlane(0, 0, 0.6, 0.8, 0.9));
         for (int n = 0; n < 2000; n++) {
             double along = 100 * random.nextDouble();
             double speed = 100 * random.nextDouble();
@@ -248,7 +244,7 @@ class QueueAdvanceTest {
     void pushOutOfThoseThatMeet(double pushOut) {
         for (long seed = 1; seed <= 4; seed++) {
             Bodies bodies = mixed(new SplitMix64(seed), 60, 10, 20);
-            compare("push " + pushOut + ", seed " + seed, parts(ImpactLaw.PHYSICS.withPushOut(pushOut),
+            compare("push " + pushOut + ", seed " + seed, Scenes.parts(ImpactLaw.PHYSICS.withPushOut(pushOut),
                 Arithmetic.EXACT, BOX), bodies, 4);
         }
         assertTrue(impacts > 400, impacts + " impacts");
@@ -264,7 +260,8 @@ class QueueAdvanceTest {
             bodies.setRadius(k, bodies.radius[k] * 1.25);
             bodies.setMass(k, k % 5 == 0 ? Double.POSITIVE_INFINITY : bodies.mass[k]);
         }
-        compare("push, seed " + seed, parts(ImpactLaw.PHYSICS.withPushOut(0), Arithmetic.DOUBLE, BOX), bodies, 4);
+        ImpactLaw law = ImpactLaw.PHYSICS.withPushOut(0);
+        compare("push, seed " + seed, Scenes.parts(law, Arithmetic.DOUBLE, BOX), bodies, 4);
         assertTrue(impacts > 100, impacts + " impacts");
     }
 
@@ -362,8 +359,8 @@ class QueueAdvanceTest {
         for (int bound : new int[] {1, 2, 10, 50}) {
             for (long seed = 1; seed <= 4; seed++) {
                 Bodies bodies = mixed(new SplitMix64(seed), 90, 10, 25);
-                compare("bound, seed " + seed, parts(ImpactLaw.PHYSICS.withMaximumImpacts(bound), arithmetic, BOX),
-                    bodies, 1);
+                ImpactLaw law = ImpactLaw.PHYSICS.withMaximumImpacts(bound);
+                compare("bound, seed " + seed, Scenes.parts(law, arithmetic, BOX), bodies, 1);
             }
         }
     }
@@ -372,9 +369,8 @@ class QueueAdvanceTest {
     void lawsWithBatchesAreRefused() {
         assertNull(QueueAdvance.refusal(ImpactLaw.PHYSICS));
         assertNotNull(QueueAdvance.refusal(ImpactLaw.OFFICIAL_POD_RACE));
-        PhysicsParts parts = parts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL);
-        assertEquals("queue: impacts within batchWindow react together",
-            assertThrows(IllegalArgumentException.class, () -> new QueueAdvance(parts)).getMessage());
+        PhysicsParts parts = Scenes.parts(ImpactLaw.OFFICIAL_POD_RACE, Arithmetic.OFFICIAL);
+        Refusal.refused("queue: impacts within batchWindow react together", () -> new QueueAdvance(parts));
     }
 
     /** Cells that are full, bodies in none, and rings shorter than what is read of them. */
@@ -387,17 +383,10 @@ class QueueAdvanceTest {
             Bodies bodies = mixed(random, count, 0.5, count > 100 ? 8 : 30);
             bodies.setRadius(0, bodies.radius[0] / 100);
             bodies.setVelocity(0, 1e5, 0);
-            Bodies other = bodies.copy();
-            Advance reading = new QueueAdvance(parts(ImpactLaw.PHYSICS, arithmetic, BOX), 1);
-            Advance plain = new QueueAdvance(parts(ImpactLaw.PHYSICS, arithmetic, BOX));
+            Advance reading = new QueueAdvance(Scenes.parts(ImpactLaw.PHYSICS, arithmetic, BOX), 1);
+            Advance plain = new QueueAdvance(Scenes.parts(ImpactLaw.PHYSICS, arithmetic, BOX));
             for (int turn = 0; turn < 4; turn++) {
-                TurnLog seen = new TurnLog();
-                TurnLog expected = new TurnLog();
-                reading.turn(bodies, seen);
-                plain.turn(other, expected);
-                assertEquals(expected.impacts(), seen.impacts());
-                assertArrayEquals(Scenes.bits(other), Scenes.bits(bodies));
-                impacts += seen.impacts();
+                impacts += Scenes.assertSameTurn(plain, reading, bodies, arithmetic + ", turn " + turn);
             }
         }
         assertTrue(impacts > 2, impacts + " impacts");
@@ -407,10 +396,6 @@ class QueueAdvanceTest {
         return new ImpactLaw(law.restitution(), law.minimumImpulse(), law.minimumImpulseAtWalls(), law.deadZone(),
             law.separatingPairsReact(), law.batchWindow(), ImpactLaw.ScanOrder.DESCENDING, law.pushOut(),
             law.maximumImpacts());
-    }
-
-    private static PhysicsParts parts(ImpactLaw law, Arithmetic arithmetic, Wall... walls) {
-        return Scenes.parts(law, arithmetic, walls);
     }
 
     /** Radii between the two, at random places where nobody else is. */
@@ -439,11 +424,8 @@ class QueueAdvanceTest {
         for (int turn = 0; turn < turns; turn++) {
             String where = what + ", " + bodies.size() + " bodies, turn " + turn;
             other.copyFrom(bodies);
-            TurnLog expected = new TurnLog();
-            TurnLog seen = new TurnLog();
-            event.turn(bodies, expected);
-            queue.turn(other, seen);
-            compare(where, expected, seen);
+            TurnLog expected = Scenes.turn(event, bodies);
+            compare(where, expected, Scenes.turn(queue, other));
             assertEquals(bodies.size(), other.size(), where);
             assertEquals(bodies.passing().size(), other.passing().size(), where);
             for (int k = 0; k < bodies.size(); k++) {

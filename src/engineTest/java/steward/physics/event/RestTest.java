@@ -211,8 +211,7 @@ class RestTest {
     void aBodyBetweenWallsThatAreTooNarrowRests(Arithmetic arithmetic) {
         for (double e : new double[] {0, 0.3, 0.9}) {
             for (Advance advance : both(arithmetic, new HalfPlane(0, 0, 1, 0, e), new HalfPlane(19, 0, -1, 0, e))) {
-                Bodies bodies = new Bodies(1);
-                Scenes.add(bodies, 9.5, 0, 7, 3, 1);
+                Bodies bodies = Scenes.bodies(new double[] {9.5, 0, 7, 3});
                 bodies.setRestitution(0, e);
                 for (int turn = 1; turn <= 3; turn++) {
                     TurnLog log = Scenes.turn(advance, bodies);
@@ -229,8 +228,7 @@ class RestTest {
     @EnumSource
     void aBallBetweenWallsWithRoomBounces(Arithmetic arithmetic) {
         for (Advance advance : both(arithmetic, new HalfPlane(0, 0, 1, 0, 0.9), new HalfPlane(30, 0, -1, 0, 0.9))) {
-            Bodies bodies = new Bodies(1);
-            Scenes.add(bodies, 10, 0, 100, 3, 1);
+            Bodies bodies = Scenes.bodies(new double[] {10, 0, 100, 3});
             bodies.setRestitution(0, 0.9);
             TurnLog log = Scenes.turn(advance, bodies);
             assertEquals(100 * Math.pow(0.9, log.impacts()), Math.abs(bodies.vx[0]), 1e-9);
@@ -312,11 +310,9 @@ class RestTest {
                     Scenes.add(bodies, 30, 30.001, 500, 500, 1);
                 }
                 Scenes.setRestitution(bodies, e);
-                TurnLog log = new TurnLog();
                 for (int turn = 1; turn <= 20; turn++) {
                     double energy = Scenes.energy(bodies);
-                    log.clear();
-                    advance.turn(bodies, log);
+                    TurnLog log = Scenes.turn(advance, bodies);
                     double rest = log.restEnergy();
                     taken += rest;
                     String where = n + ", e " + e + ", turn " + turn + ": " + rest + " of " + energy;
@@ -339,9 +335,7 @@ class RestTest {
                 Bodies bodies = rows(perRow, 0.5, 0.5, e);
                 int still = 0;
                 for (int turn = 1; turn <= 600 && still < 20; turn++) {
-                    for (int k = 0; k < 30; k++) {
-                        forces.accelerate(bodies, k, 0, 0);
-                    }
+                    Scenes.accelerate(forces, bodies);
                     TurnLog log = Scenes.turn(advance, bodies);
                     String where = perRow + " a row, e " + e + ", turn " + turn + ": ";
                     assertTrue(!log.limited() && (still == 0 || log.impacts() <= 500), where + log.impacts());

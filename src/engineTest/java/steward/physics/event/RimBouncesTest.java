@@ -12,8 +12,6 @@ import steward.physics.Advance;
 import steward.physics.Arena;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
-import steward.physics.Contacts;
-import steward.physics.PhysicsParts;
 import steward.physics.TurnLog;
 
 /**
@@ -27,9 +25,7 @@ class RimBouncesTest {
     private static final double ROOM = 490;
 
     private static List<Advance> both(Arithmetic arithmetic, double restitution) {
-        PhysicsParts parts = new PhysicsParts(Scenes.WITH_RESTITUTION, arithmetic, new Contacts(1),
-            List.of(new Arena(0, 0, 500, restitution)), null, false);
-        return Scenes.both(parts);
+        return Scenes.both(Scenes.parts(Scenes.WITH_RESTITUTION, arithmetic, new Arena(0, 0, 500, restitution)));
     }
 
     /** Distance of a body from its place on the chords after a path of this length. */
@@ -57,8 +53,7 @@ class RimBouncesTest {
     void anElasticBounceKeepsItsAngle(double speed, double theta, int expected) {
         for (Arithmetic arithmetic : Arithmetic.values()) {
             for (Advance advance : both(arithmetic, 1)) {
-                Bodies bodies = new Bodies(1);
-                Scenes.add(bodies, ROOM * Math.cos(theta), 0, 0, speed, 1);
+                Bodies bodies = Scenes.bodies(new double[] {ROOM * Math.cos(theta), 0, 0, speed});
                 double angular = angularMomentum(bodies);
                 TurnLog log = Scenes.turn(advance, bodies);
                 String what = arithmetic + ", " + speed + " u a turn, " + theta + " rad";
@@ -74,8 +69,7 @@ class RimBouncesTest {
     @EnumSource(Arithmetic.class)
     void angularMomentumIsKept(Arithmetic arithmetic) {
         for (Advance advance : both(arithmetic, 1)) {
-            Bodies bodies = new Bodies(1);
-            Scenes.add(bodies, 489.5, 0, 0, 1960, 1);
+            Bodies bodies = Scenes.bodies(new double[] {489.5, 0, 0, 1960});
             double angular = angularMomentum(bodies);
             TurnLog log = new TurnLog();
             for (int turn = 0; turn < 100; turn++) {

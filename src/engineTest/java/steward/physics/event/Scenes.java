@@ -10,6 +10,7 @@ import steward.physics.Advance;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
+import steward.physics.Forces;
 import steward.physics.ImpactLaw;
 import steward.physics.PhysicsParts;
 import steward.physics.TurnLog;
@@ -93,6 +94,13 @@ public final class Scenes {
         int body = bodies.add(x, y, 10, mass);
         bodies.setVelocity(body, vx, vy);
         return body;
+    }
+
+    /** What forces do to all bodies at the beginning of a turn. */
+    public static void accelerate(Forces forces, Bodies bodies) {
+        for (int k = 0; k < bodies.size(); k++) {
+            forces.accelerate(bodies, k, 0, 0);
+        }
     }
 
     /** Kinetic energy of all finite masses. */

@@ -109,8 +109,8 @@ class SlidingTest {
                 double right = restitution == 0 ? w * Math.cos(alpha) : w * alpha / Math.sin(alpha);
                 double bound = (restitution == 0 ? 4.5e-6 : 2e-9) * w * w * w;
                 for (Advance advance : both(Scenes.WITH_RESTITUTION, arithmetic, restitution)) {
-                    Bodies bodies = new Bodies(1);
-                    Scenes.add(bodies, 490, 0, 490 * w * Math.sin(alpha), 490 * w * Math.cos(alpha), 1);
+                    Bodies bodies = Scenes.bodies(
+                        new double[] {490, 0, 490 * w * Math.sin(alpha), 490 * w * Math.cos(alpha)});
                     advance.turn(bodies, TurnSink.NONE);
                     double ahead = Math.IEEEremainder(Math.atan2(bodies.y[0], bodies.x[0]) - right, 2 * Math.PI);
                     assertTrue(Math.abs(ahead) <= bound + Math.pow(w / 500, 3) / 3, w + ", e " + restitution + ": "

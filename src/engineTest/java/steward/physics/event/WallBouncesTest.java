@@ -2,8 +2,8 @@ package steward.physics.event;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static steward.match.Refusal.refused;
 
 import org.junit.jupiter.api.Test;
 import steward.numerics.SplitMix64;
@@ -29,14 +29,12 @@ class WallBouncesTest {
         int bounces = 0;
         for (long seed = 1; seed <= 5; seed++) {
             SplitMix64 random = new SplitMix64(seed);
-            Bodies bodies = new Bodies(1);
-            bodies.add(8000, 4500, 400, 1 + random.nextInt(10));
-            bodies.setVelocity(0, 5000 * random.nextDouble(), 3000 * random.nextDouble());
+            double mass = 1 + random.nextInt(10);
+            Bodies bodies = Scenes.bodies(new double[][] {
+                {8000, 4500, 5000 * random.nextDouble(), 3000 * random.nextDouble(), mass, 400}});
             double speed = Math.hypot(bodies.vx[0], bodies.vy[0]);
-            TurnLog log = new TurnLog();
             for (int turn = 0; turn < 10_000; turn++) {
-                log.clear();
-                advance.turn(bodies, log);
+                TurnLog log = Scenes.turn(advance, bodies);
                 assertFalse(log.limited());
                 bounces += log.impacts();
                 assertEquals(speed, Math.hypot(bodies.vx[0], bodies.vy[0]), 1e-12 * speed, "seed " + seed);
@@ -47,58 +45,54 @@ class WallBouncesTest {
     }
 
     /**
-     * A tilted square: normals that no double holds exactly. One bounce rounds the speed by a few 2^-53, in random
-     * directions: 3,000 of them by about sqrt(3000) * 4 * 1.1e-16 = 2.4e-14, and never by 3000 * 8 * 1.1e-16 = 2.6e-12.
+     * One bounce rounds the speed by a few 2^-53, in random directions: 3,000 of them by about
+     * sqrt(3000) * 4 * 1.1e-16 = 2.4e-14, and never by 3000 * 8 * 1.1e-16 = 2.6e-12.
      */
     @Test
-    void tiltedWallsKeepTheSpeedToRounding() {
-        double a = 0.4;
+    void wallsOfEveryKindKeepTheSpeedToRounding() {
+        checkSpeedAndPlace(tiltedSquare(), 3700);
+        checkSpeedAndPlace(new Wall[] {new Arena(0, 0, 3000, 1)}, 3000);
+        checkSpeedAndPlace(pen(), 4000);
+    }
+
+    /** Normals that no double holds exactly. */
+    private static Wall[] tiltedSquare() {
         Wall[] walls = new Wall[4];
         for (int k = 0; k < 4; k++) {
-            double nx = Math.cos(a + k * Math.PI / 2);
-            double ny = Math.sin(a + k * Math.PI / 2);
+            double nx = Math.cos(0.4 + k * Math.PI / 2);
+            double ny = Math.sin(0.4 + k * Math.PI / 2);
             walls[k] = new HalfPlane(-3000 * nx, -3000 * ny, nx, ny, 1);
         }
-        checkSpeedAndPlace(walls, 3700, 2.6e-12);
+        return walls;
     }
 
-    @Test
-    void anArenaKeepsTheSpeedToRounding() {
-        checkSpeedAndPlace(new Wall[] {new Arena(0, 0, 3000, 1)}, 3000, 2.6e-12);
-    }
-
-    /** A pen of segments, open at no corner: the round ends of the walls meet there. */
-    @Test
-    void aPenOfSegmentsKeepsTheSpeedToRounding() {
+    /** Segments, open at no corner: the round ends of the walls meet there. */
+    private static Wall[] pen() {
         double[][] corners = {{-2500, -2000}, {2700, -2300}, {3000, 1500}, {200, 2900}, {-2900, 1700}};
         Wall[] walls = new Wall[5];
         for (int k = 0; k < 5; k++) {
-            double[] a = corners[k];
             double[] b = corners[(k + 1) % 5];
-            walls[k] = new Segment(a[0], a[1], b[0], b[1], 1);
+            walls[k] = new Segment(corners[k][0], corners[k][1], b[0], b[1], 1);
         }
-        checkSpeedAndPlace(walls, 4000, 2.6e-12);
+        return walls;
     }
 
-    private static void checkSpeedAndPlace(Wall[] walls, double reach, double tolerance) {
+    private static void checkSpeedAndPlace(Wall[] walls, double reach) {
         EventAdvance advance = Scenes.advance(ImpactLaw.PHYSICS, walls);
         for (long seed = 1; seed <= 5; seed++) {
             SplitMix64 random = new SplitMix64(seed);
-            Bodies bodies = new Bodies(1);
-            bodies.add(100 * random.nextDouble(), 100 * random.nextDouble(), 400, 1);
-            bodies.setVelocity(0, 3000 * random.nextDouble() - 1500, 3000 * random.nextDouble() - 1500);
+            Bodies bodies = Scenes.bodies(new double[][] {{100 * random.nextDouble(), 100 * random.nextDouble(),
+                3000 * random.nextDouble() - 1500, 3000 * random.nextDouble() - 1500, 1, 400}});
             double speed = Math.hypot(bodies.vx[0], bodies.vy[0]);
-            TurnLog log = new TurnLog();
             int bounces = 0;
             while (bounces < 3000) {
-                log.clear();
-                advance.turn(bodies, log);
+                TurnLog log = Scenes.turn(advance, bodies);
                 assertFalse(log.limited(), "seed " + seed + " after " + bounces);
                 bounces += log.impacts();
                 assertTrue(Math.hypot(bodies.x[0], bodies.y[0]) < reach, "seed " + seed + " left after " + bounces);
                 assertTrue(Scenes.deepestOverlap(bodies, walls) <= 1e-9, "seed " + seed + " after " + bounces);
             }
-            assertEquals(speed, Math.hypot(bodies.vx[0], bodies.vy[0]), tolerance * speed, "seed " + seed);
+            assertEquals(speed, Math.hypot(bodies.vx[0], bodies.vy[0]), 2.6e-12 * speed, "seed " + seed);
         }
     }
 
@@ -110,11 +104,9 @@ class WallBouncesTest {
         for (long seed = 1; seed <= 5; seed++) {
             Bodies bodies = Scenes.grid(new SplitMix64(seed), 4, 1000, 60, 500);
             double energy = Scenes.energy(bodies);
-            TurnLog log = new TurnLog();
             int impacts = 0;
             for (int turn = 0; turn < 100; turn++) {
-                log.clear();
-                advance.turn(bodies, log);
+                TurnLog log = Scenes.turn(advance, bodies);
                 impacts += log.impacts();
                 assertFalse(log.limited(), "seed " + seed);
                 assertEquals(energy, Scenes.energy(bodies), 1e-11 * energy, "seed " + seed + " turn " + turn);
@@ -133,8 +125,7 @@ class WallBouncesTest {
         double x = 0.7071067811872;
         Wall[] walls = {new HalfPlane(-100, -100, x, x, 1), new HalfPlane(100, 100, -x, -x, 1)};
         EventAdvance advance = Scenes.advance(ImpactLaw.PHYSICS, walls);
-        Bodies bodies = new Bodies(1);
-        Scenes.add(bodies, 0, 0, 400, 300, 1);
+        Bodies bodies = Scenes.bodies(new double[] {0, 0, 400, 300});
         for (int turn = 0; turn < 1000; turn++) {
             advance.turn(bodies, TurnSink.NONE);
         }
@@ -157,10 +148,6 @@ class WallBouncesTest {
         refused("wall: restitution -0.5, expected 0..1", () -> new Arena(0, 0, 1, -0.5));
         refused("wall: width -1.0, expected finite and above 0", () -> Wall.box(-1, 1, 1));
         refused("wall: height NaN, expected finite and above 0", () -> Wall.box(1, NAN, 1));
-    }
-
-    private static void refused(String message, Runnable call) {
-        assertEquals(message, assertThrows(IllegalArgumentException.class, call::run).getMessage());
     }
 
     /** Each wall's own geometry: the gap, and the normal that points straight to it. */

@@ -196,8 +196,7 @@ class ImpulseTest {
     /** Mass 2 at (30, -40) into a floor with e = 0.5: j1 = 80, j2 = 40, energy (40^2 - 80^2) / 2 / 2. */
     @Test
     void aWallTakesTheLowerRestitutionAndNoMinimumUnlessTold() {
-        Bodies bodies = new Bodies(1);
-        Scenes.add(bodies, 5, 10, 30, -40, 2);
+        Bodies bodies = Scenes.bodies(new double[] {5, 10, 30, -40, 2});
         bodies.setRestitution(0, 0.75);
         TurnLog log = new TurnLog();
         Wall[] floor = {new HalfPlane(0, 0, 0, 1, 0.5)};

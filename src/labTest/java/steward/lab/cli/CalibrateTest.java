@@ -262,7 +262,7 @@ class CalibrateTest {
         assertEquals(sample.figures().sample(), figures.sample());
     }
 
-    private static AccuracyFigures shipped(String name) throws IOException {
+    static AccuracyFigures shipped(String name) throws IOException {
         String source = AccuracyFigures.resource(name);
         return AccuracyFigures.read(
             new String(SceneFiles.class.getResourceAsStream(source).readAllBytes(), StandardCharsets.UTF_8), source);

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -30,7 +29,6 @@ import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
 import steward.scene.AccuracyDemand;
 import steward.scene.AccuracyFigures;
-import steward.scene.SceneFiles;
 
 /**
  * Demands drawn at random over all shipped scenes: the rung that the stored figures give to each is held against states
@@ -80,7 +78,7 @@ class DemandsTest {
         for (int n = 0; n < DEMANDS;) {
             int scene = random.nextInt(scenes.size());
             AccuracyDemand demand = draw(random);
-            if (figures(scenes.get(scene)).cheapest(demand).isPresent()) {
+            if (CalibrateTest.shipped(scenes.get(scene)).cheapest(demand).isPresent()) {
                 demands.get(scene).add(demand);
                 n++;
             }
@@ -104,14 +102,8 @@ class DemandsTest {
             1 - StrictMath.pow(10, -0.31 - 3.68 * random.nextDouble()));
     }
 
-    private static AccuracyFigures figures(String scene) throws IOException {
-        String source = AccuracyFigures.resource(scene);
-        return AccuracyFigures.read(
-            new String(SceneFiles.class.getResourceAsStream(source).readAllBytes(), StandardCharsets.UTF_8), source);
-    }
-
     private static List<Seen> check(String scene, List<AccuracyDemand> demands) throws IOException {
-        AccuracyFigures figures = figures(scene);
+        AccuracyFigures figures = CalibrateTest.shipped(scene);
         GameSetup setup = Games.open(scene, Calibration.PLAYED_ON);
         PhysicsParts parts = setup.physics();
         List<AccuracyFigures.OfRung> rungs = demands.stream().map(figures::cheapest).map(Optional::orElseThrow)

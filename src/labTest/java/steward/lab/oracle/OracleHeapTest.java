@@ -25,6 +25,7 @@ import steward.physics.PhysicsParts;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
 import steward.physics.event.EventAdvance;
+import steward.physics.event.Scenes;
 
 /** Heaps at rest in the oracle, against closed forms and against the exact rung, which computes them in another way. */
 @Execution(ExecutionMode.CONCURRENT)
@@ -91,13 +92,8 @@ class OracleHeapTest {
     /** Three in a row, the outer ones at equal speeds: all that they lose is lost, and they stand still. */
     @Test
     void aRowThatMeetsHeadOnStandsStill() {
-        Bodies bodies = new Bodies(3);
-        for (int k = 0; k < 3; k++) {
-            bodies.add(100 * k, 0, 10, 1);
-            bodies.setRestitution(k, 0.05);
-        }
-        bodies.setVelocity(0, 1000, 0);
-        bodies.setVelocity(2, -1000, 0);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 1000, 0}, {100, 0, 0, 0}, {200, 0, -1000, 0}});
+        Scenes.setRestitution(bodies, 0.05);
         Oracle oracle = new Oracle(SOFT, List.of());
         List<OracleBody> after = OracleBody.of(bodies);
         assertTrue(oracle.turn(after).size() < 40, "until 2^-40 of the energy is left");
@@ -108,10 +104,8 @@ class OracleHeapTest {
     /** A disc that moves along a rim would bounce without end: its chords are none of the truth. */
     @Test
     void aDiscThatSlidesAlongARimStopsTheOracle() {
-        Bodies bodies = new Bodies(1);
-        bodies.add(0, 90, 10, 1);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 90, 50, 0}});
         bodies.setRestitution(0, 0.5);
-        bodies.setVelocity(0, 50, 0);
         Oracle oracle = new Oracle(SOFT, List.of(new Arena(0, 0, 100, 1)));
         oracle.turn(OracleBody.of(bodies));
         assertTrue(oracle.rested());
@@ -143,9 +137,7 @@ class OracleHeapTest {
         EventAdvance exact = new EventAdvance(parts);
         int compared = 0;
         for (int turn = 0; turn < 60; turn++) {
-            for (int k = 0; k < bodies.size(); k++) {
-                gravity.accelerate(bodies, k, 0, 0);
-            }
+            Scenes.accelerate(gravity, bodies);
             List<OracleBody> truth = OracleBody.of(bodies);
             Oracle oracle = Oracle.of(parts, bodies);
             oracle.turn(truth);

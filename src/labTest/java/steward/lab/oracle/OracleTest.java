@@ -46,8 +46,7 @@ class OracleTest {
     }
 
     private static Bodies one(double x, double y, double radius, double vx, double vy) {
-        Bodies bodies = Scenes.bodies(new double[][] {{x, y, vx, vy, 1, radius}});
-        return bodies;
+        return Scenes.bodies(new double[][] {{x, y, vx, vy, 1, radius}});
     }
 
     private static List<OracleImpact> turn(ImpactLaw law, List<OracleBody> bodies, Wall... walls) {
@@ -69,8 +68,8 @@ class OracleTest {
      */
     @Test
     void anOffCentreTouchByHand() {
-        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 16, 0, 1, 1}, {10, 1, 0, 0, 1, 1}});
-        List<OracleBody> state = OracleBody.of(bodies);
+        List<OracleBody> state = OracleBody.of(
+            Scenes.bodies(new double[][] {{0, 0, 16, 0, 1, 1}, {10, 1, 0, 0, 1, 1}}));
         OracleImpact impact = turn(ImpactLaw.PHYSICS, state).get(0);
         BigDecimal three = Decimals.root(new BigDecimal(3));
         assertNear(BigDecimal.TEN.subtract(three).divide(new BigDecimal(16), Decimals.ROUND), impact.time());
@@ -96,8 +95,8 @@ class OracleTest {
     /** 900 apart, 400 u per turn toward each other: at t = 1/4 they touch, f = 200, J = 400, pushed 1e-5. */
     @Test
     void twoOfficialPodsByHand() {
-        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 200, 0, 1, 400}, {900, 0, -200, 0, 1, 400}});
-        List<OracleBody> state = OracleBody.of(bodies);
+        List<OracleBody> state = OracleBody.of(
+            Scenes.bodies(new double[][] {{0, 0, 200, 0, 1, 400}, {900, 0, -200, 0, 1, 400}}));
         List<OracleImpact> impacts = turn(ImpactLaw.OFFICIAL_POD_RACE, state);
         assertEquals(1, impacts.size());
         assertEquals(1, impacts.get(0).a(), "pairs are looked at from the last body down");
@@ -171,8 +170,8 @@ class OracleTest {
     @CsvSource({"0, 3", "1, 31", "2, 314", "3, 3141"})
     @Tag("slow")
     void piBlocks(int k, int impacts) {
-        Bodies bodies = Scenes.bodies(new double[][] {{10, 0, 0, 0, 1, 1}, {20, 0, -1, 0, StrictMath.pow(100, k), 1}});
-        List<OracleBody> state = OracleBody.of(bodies);
+        List<OracleBody> state = OracleBody.of(
+            Scenes.bodies(new double[][] {{10, 0, 0, 0, 1, 1}, {20, 0, -1, 0, StrictMath.pow(100, k), 1}}));
         BigDecimal energy = state.get(0).energy().add(state.get(1).energy());
         Oracle oracle = new Oracle(ImpactLaw.PHYSICS, List.of(new HalfPlane(0, 0, 1, 0, 1)));
         assertEquals(impacts, oracle.play(state, new BigDecimal(1000)).size());
@@ -228,13 +227,8 @@ class OracleTest {
     /** Three in a row and a collapse of impacts: the oracle stops at the bound, and says so. */
     @Test
     void aCollapseEndsAtTheBound() {
-        Bodies bodies = new Bodies(3);
-        for (int k = 0; k < 3; k++) {
-            bodies.add(100 * k, 0, 10, 1);
-            bodies.setRestitution(k, 0.05);
-        }
-        bodies.setVelocity(0, 1000, 0);
-        bodies.setVelocity(2, -1000, 0);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 1000, 0}, {100, 0, 0, 0}, {200, 0, -1000, 0}});
+        Scenes.setRestitution(bodies, 0.05);
         Oracle oracle = new Oracle(SOFT.withRestSpeed(0).withMaximumImpacts(40), List.of());
         assertEquals(40, oracle.turn(OracleBody.of(bodies)).size());
         assertTrue(oracle.limited());
@@ -243,12 +237,8 @@ class OracleTest {
     /** One that bounces between two others far apart keeps its share of the speed at each impact. */
     @Test
     void manyImpactsWithoutAHeapAreNoRest() {
-        Bodies bodies = new Bodies(3);
-        for (int k = 0; k < 3; k++) {
-            bodies.add(100 * k, 0, 10, k == 1 ? 1e-3 : 1e9);
-            bodies.setRestitution(k, 0.99);
-        }
-        bodies.setVelocity(1, 2000, 0);
+        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, 0, 0, 1e9}, {100, 0, 2000, 0, 1e-3}, {200, 0, 0, 0, 1e9}});
+        Scenes.setRestitution(bodies, 0.99);
         Oracle oracle = new Oracle(SOFT, List.of());
         assertEquals(12, oracle.turn(OracleBody.of(bodies)).size());
         assertFalse(oracle.limited());

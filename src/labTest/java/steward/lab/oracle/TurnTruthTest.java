@@ -36,14 +36,22 @@ class TurnTruthTest {
 
     /** Two of radius 10, 100 u apart, one of which flies at the other; it stops there, and the other flies on. */
     private static Bodies headOn(double speed) {
-        Bodies bodies = Scenes.bodies(new double[][] {{0, 0, speed, 0}, {100, 0, 0, 0}});
-        return bodies;
+        return Scenes.bodies(new double[][] {{0, 0, speed, 0}, {100, 0, 0, 0}});
     }
 
     /** A turn from impact to impact. */
     private static Bodies flown(PhysicsParts parts, Bodies start) {
         Bodies flown = start.copy();
         new EventAdvance(parts).turn(flown, TurnSink.NONE);
+        return flown;
+    }
+
+    /** The truth has so many impacts, and the engine comes where it does. @return where that is */
+    private static Bodies assertAgree(int impacts, PhysicsParts parts, Bodies start) {
+        TurnTruth truth = TurnTruth.of(start, parts);
+        Bodies flown = flown(parts, start);
+        assertEquals(impacts, truth.impacts());
+        assertEquals(0, truth.positionError(flown), 1e-9);
         return flown;
     }
 
@@ -148,12 +156,7 @@ class TurnTruthTest {
     void bodiesThatIgnoreEachOtherFlyThrough() {
         PhysicsParts deaf = new PhysicsParts(ImpactLaw.PHYSICS, Arithmetic.DOUBLE,
             new Contacts(1).set(0, 0, Contacts.Meaning.NONE), List.of(), null, false);
-        Bodies start = headOn(200);
-        TurnTruth truth = TurnTruth.of(start, deaf);
-        Bodies flown = flown(deaf, start);
-
-        assertEquals(0, truth.impacts());
-        assertEquals(0, truth.positionError(flown), 1e-9);
+        assertAgree(0, deaf, headOn(200));
     }
 
     /** The reaction takes one of the two away at their touch: who does not do so is infinitely wrong. */
@@ -176,9 +179,7 @@ class TurnTruthTest {
 
     @Test
     void aReactionThatBouncesIsAnImpactOfTheTruth() {
-        TurnTruth truth = TurnTruth.of(headOn(200), asking((time, a, b, bodies, sink) -> Reaction.Verdict.BOUNCE));
-
-        assertEquals(1, truth.impacts());
+        assertAgree(1, asking((time, a, b, bodies, sink) -> Reaction.Verdict.BOUNCE), headOn(200));
     }
 
     /** Body 0 flies through the other and comes to 200; the reaction is asked once. */
@@ -189,14 +190,8 @@ class TurnTruthTest {
             asked[0]++;
             return Reaction.Verdict.PASS;
         });
-        Bodies start = headOn(200);
-        TurnTruth truth = TurnTruth.of(start, passing);
-        assertEquals(1, asked[0]);
-        Bodies flown = flown(passing, start);
-
-        assertEquals(0, truth.impacts());
-        assertEquals(200, flown.x[0], 1e-9);
-        assertEquals(0, truth.positionError(flown), 1e-9);
+        assertEquals(200, assertAgree(0, passing, headOn(200)).x[0], 1e-9);
+        assertEquals(2, asked[0], "in truth and in the engine");
     }
 
     /** Taken at a distance of 50 instead of 20: at 50 u of the way, after a quarter of the turn. */
@@ -208,11 +203,9 @@ class TurnTruthTest {
             bodies.remove(b);
             return Reaction.Verdict.CHANGED;
         });
-        Bodies start = headOn(200);
-        TurnTruth truth = TurnTruth.of(start, reaching);
+        TurnTruth.of(headOn(200), reaching);
         assertEquals(0.25, when[0], 1e-12);
-        Bodies one = flown(reaching, start);
-        assertEquals(0, truth.positionError(one), 1e-9);
+        assertAgree(0, reaching, headOn(200));
     }
 
     /** A third body stands behind them: the two pass each other once, and the one that has passed bounces off it. */
@@ -221,12 +214,7 @@ class TurnTruthTest {
         PhysicsParts passing = asking((time, a, b, bodies, sink) ->
             bodies.id(a) + bodies.id(b) == 1 ? Reaction.Verdict.PASS : Reaction.Verdict.BOUNCE);
         Bodies start = Scenes.bodies(new double[][] {{0, 0, 100, 0, 1, 5}, {20, 0, 0, 0, 1, 5}, {60, 0, 0, 0, 1, 5}});
-        TurnTruth truth = TurnTruth.of(start, passing);
-        Bodies flown = flown(passing, start);
-
-        assertEquals(1, truth.impacts());
-        assertEquals(50, flown.x[0], 1e-9);
-        assertEquals(0, truth.positionError(flown), 1e-9);
+        assertEquals(50, assertAgree(1, passing, start).x[0], 1e-9);
     }
 
     /** The reaction is told of impacts at walls too: here it takes the speed away. */
@@ -247,10 +235,7 @@ class TurnTruthTest {
                 }
             }, false);
         Bodies falling = Scenes.bodies(new double[][] {{0, 10, 0, -20, 1, 5}});
-        Bodies ended = flown(stopping, falling);
-
-        assertEquals(5, ended.y[0], 1e-9);
-        assertEquals(0, TurnTruth.of(falling, stopping).positionError(ended), 1e-9);
+        assertEquals(5, assertAgree(1, stopping, falling).y[0], 1e-9);
     }
 
     @Test

@@ -51,9 +51,8 @@ class TradeoffTest {
         AtomicInteger count = new AtomicInteger();
         return new TradeoffScene("tunnel", "a bullet and a target", "tunnel", PLAIN, null, () -> {
             double y = count.getAndIncrement() % 2 == 0 ? 5 * random.nextDouble() : 200;
-            Bodies bodies = Scenes.bodies(new double[][] {{0, y, 1000, 0, 1, 1},
+            return Scenes.bodies(new double[][] {{0, y, 1000, 0, 1, 1},
                 {100 + 50 * random.nextDouble(), 0, 0, 0, 5, 20}});
-            return bodies;
         }, 10, 2, 3, 64);
     }
 

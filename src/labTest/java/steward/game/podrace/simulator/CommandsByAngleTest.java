@@ -3,13 +3,11 @@ package steward.game.podrace.simulator;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static steward.match.Refusal.refusedFor;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.podrace.Headings;
@@ -17,6 +15,7 @@ import steward.game.podrace.PodRace;
 import steward.game.podrace.PodState;
 import steward.game.podrace.Races;
 import steward.game.podrace.Recordings;
+import steward.match.Allocated;
 import steward.numerics.SplitMix64;
 import steward.numerics.StrictAngles;
 
@@ -182,36 +181,28 @@ class CommandsByAngleTest {
     @Test
     void refusesWhatCannotBe() {
         PodCommands commands = new PodCommands(4);
-        assertRefused("pod 1: turn by NaN degrees", () -> commands.turn(1, Double.NaN, 200));
-        assertRefused("pod 1: thrust 651", () -> commands.turn(1, 18, 651));
-        assertRefused("pod 2: thrust -4", () -> commands.turn(2, 18, -4));
-        assertRefused("pod 3: turn by NaN degrees", () -> fast.targetX(3, Double.NaN));
+        refusedFor("pod 1: turn by NaN degrees", () -> commands.turn(1, Double.NaN, 200));
+        refusedFor("pod 1: thrust 651", () -> commands.turn(1, 18, 651));
+        refusedFor("pod 2: thrust -4", () -> commands.turn(2, 18, -4));
+        refusedFor("pod 3: turn by NaN degrees", () -> fast.targetX(3, Double.NaN));
         assertThrows(IndexOutOfBoundsException.class, () -> commands.turn(4, 18, 200));
-    }
-
-    private static void assertRefused(String said, Executable call) {
-        String message = assertThrows(IllegalArgumentException.class, call).getMessage();
-        assertTrue(message.contains(said), message);
     }
 
     @Test
     void aTurnAllocatesNothing() {
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         PodCommands commands = new PodCommands(4);
-        long allocated = Long.MAX_VALUE;
-        for (int count = 0; count < 20 && allocated > 0; count++) {
+        Allocated.assertNone(20, "1,000 turns", () -> {
             drawState();
             turns.put(fast);
-            long before = threads.getCurrentThreadAllocatedBytes();
-            for (int turn = 0; turn < 1000; turn++) {
-                for (int pod = 0; pod < 4; pod++) {
-                    commands.turn(pod, DEGREES[(turn + pod) % DEGREES.length], 200);
+            return Allocated.by(() -> {
+                for (int turn = 0; turn < 1000; turn++) {
+                    for (int pod = 0; pod < 4; pod++) {
+                        commands.turn(pod, DEGREES[(turn + pod) % DEGREES.length], 200);
+                    }
+                    fast.play(commands);
                 }
-                fast.play(commands);
-            }
-            allocated = threads.getCurrentThreadAllocatedBytes() - before;
-        }
-        assertEquals(0, allocated, "bytes in 1,000 turns");
+            });
+        });
     }
 
     /** Not far out, where places are coarse: the textbook would never end. */

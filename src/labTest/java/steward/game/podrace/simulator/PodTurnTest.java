@@ -3,12 +3,10 @@ package steward.game.podrace.simulator;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static steward.match.Refusal.refusedFor;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.game.podrace.PodRace;
@@ -16,6 +14,7 @@ import steward.game.podrace.PodState;
 import steward.game.podrace.Races;
 import steward.game.podrace.Recordings;
 import steward.game.podrace.protocol.PodRaceType;
+import steward.match.Allocated;
 import steward.numerics.SplitMix64;
 import steward.physics.event.FarPairs;
 import steward.physics.event.OfficialAdvance;
@@ -31,18 +30,17 @@ class PodTurnTest {
     private static final double[][] MAP = {{3000, 3000}, {9000, 2000}, {12000, 7000}, {5000, 6500}};
     private static final double TOUCH = 800;
 
+    private final PodRaceSimulator fast = new PodRaceSimulator(MAP);
+    private final TextbookPodRace textbook = new TextbookPodRace(MAP, 4);
+    private final PodCommands commands = new PodCommands(4);
+
     @Test
     void theOfficialRecordingsComeOutOfTheSimulatorToo() {
         int rounds = 0;
-        PodCommands commands = new PodCommands(4);
         for (Recordings.Recording recording : Recordings.all()) {
             PodRaceSimulator race = new PodRaceSimulator(recording.checkpoints());
             for (Recordings.Round round : recording.rounds()) {
-                for (int pod = 0; pod < 4; pod++) {
-                    Recordings.Command command = round.commands()[pod];
-                    commands.set(pod, command.x(), command.y(), command.thrust());
-                }
-                race.play(commands);
+                race.play(Recordings.commands(round.commands()));
                 rounds++;
                 for (int pod = 0; pod < 4; pod++) {
                     double[] after = round.after()[pod];
@@ -64,9 +62,6 @@ class PodTurnTest {
     void boundariesOfRoundingAreTheGames() {
         double[][] directions = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {3, 4}, {-4, 3}, {5, -12},
             {-8, -15}, {7, 24}, {20, 21}};
-        PodRaceSimulator fast = new PodRaceSimulator(MAP);
-        TextbookPodRace textbook = new TextbookPodRace(MAP, 4);
-        PodCommands commands = new PodCommands(4);
         int cases = 0;
         int decidedByLastBits = 0;
         for (double[] direction : directions) {
@@ -78,10 +73,10 @@ class PodTurnTest {
                         double vx = pod == 0 ? 0 : Math.rint(100 * direction[0] / length) * pod;
                         double vy = pod == 0 ? 0 : Math.rint(100 * direction[1] / length) * pod;
                         double heading = pod < 2 ? Math.atan2(direction[1], direction[0]) + 0.2 : Double.NaN;
-                        put(fast, textbook, pod, x, 30000, vx, vy, heading);
+                        put(pod, x, 30000, vx, vy, heading);
                         commands.set(pod, x + 1000 * direction[0], 30000 + 1000 * direction[1], thrust);
                     }
-                    cases += playAndCompare(fast, textbook, commands);
+                    cases += playAndCompare();
                     double vx = direction[0] / length * thrust;
                     decidedByLastBits += Math.floor(half + vx + 0.5) != fast.x(0)
                         || (int) (vx * (1 - 0.15)) != fast.vx(0) ? 1 : 0;
@@ -98,32 +93,28 @@ class PodTurnTest {
      */
     @Test
     void whoIsNotTouchedIsFlownInLegsToo() {
-        PodRaceSimulator fast = new PodRaceSimulator(MAP);
-        TextbookPodRace textbook = new TextbookPodRace(MAP, 4);
-        PodCommands commands = new PodCommands(4);
         SplitMix64 random = new SplitMix64(13);
         for (int trial = 0; trial < 20_000; trial++) {
-            put(fast, textbook, 0, 3000, 5000 + random.nextInt(-300, 300), 400, 0, Double.NaN);
-            put(fast, textbook, 1, 4200, 5000 + random.nextInt(-300, 300), -400, 0, Double.NaN);
+            put(0, 3000, 5000 + random.nextInt(-300, 300), 400, 0, Double.NaN);
+            put(1, 4200, 5000 + random.nextInt(-300, 300), -400, 0, Double.NaN);
             for (int pod = 2; pod < 4; pod++) {
                 double heading = Math.PI / 6 * random.nextInt(0, 11) - Math.PI / 10;
-                put(fast, textbook, pod, 12000, 5000 * (pod - 2) + random.nextInt(0, 99), random.nextInt(-400, 400),
+                put(pod, 12000, 5000 * (pod - 2) + random.nextInt(0, 99), random.nextInt(-400, 400),
                     random.nextInt(-400, 400), heading);
                 commands.set(pod, 12000 + 9000 * Math.cos(heading + 1), 9000 * Math.sin(heading + 1) + 5000 * (pod - 2),
                     2 * random.nextInt(1, 99) + 1);
             }
-            playAndCompare(fast, textbook, commands);
+            playAndCompare();
         }
     }
 
-    private static void put(PodRaceSimulator fast, TextbookPodRace textbook, int k, double x, double y, double vx,
-                            double vy, double heading) {
+    private void put(int k, double x, double y, double vx, double vy, double heading) {
         PodState state = new PodState(x, y, vx, vy, heading, 0, true, 0);
         Races.put(fast, k, state);
         Races.put(textbook, k, state);
     }
 
-    private static int playAndCompare(PodRaceSimulator fast, TextbookPodRace textbook, PodCommands commands) {
+    private int playAndCompare() {
         fast.play(commands);
         textbook.play(commands.targetX, commands.targetY, commands.thrust);
         for (int k = 0; k < 4; k++) {
@@ -137,9 +128,6 @@ class PodTurnTest {
     /** At 18 degrees and at 180, one part in 10^k to either side. */
     @Test
     void boundariesOfTurningAreTheGames() {
-        PodRaceSimulator fast = new PodRaceSimulator(MAP);
-        TextbookPodRace textbook = new TextbookPodRace(MAP, 4);
-        PodCommands commands = new PodCommands(4);
         SplitMix64 random = new SplitMix64(9);
         for (int exponent = 1; exponent <= 16; exponent++) {
             for (int trial = 0; trial < 100; trial++) {
@@ -147,11 +135,11 @@ class PodTurnTest {
                     double heading = (random.nextDouble() - 0.5) * 20;
                     double turn = (pod < 2 ? Math.PI / 10 : Math.PI) * (pod % 2 == 0 ? 1 : -1)
                         * (1 + random.nextInt(-1, 1) * Math.pow(10, -exponent));
-                    put(fast, textbook, pod, 20000 * pod, 0, 300, -200, heading);
+                    put(pod, 20000 * pod, 0, 300, -200, heading);
                     commands.set(pod, 20000 * pod + 5e6 * Math.cos(heading + turn),
                         5e6 * Math.sin(heading + turn), 150);
                 }
-                playAndCompare(fast, textbook, commands);
+                playAndCompare();
             }
         }
     }
@@ -159,11 +147,8 @@ class PodTurnTest {
     /** 400 turns to one side without ever asking for an angle, then the angle: 10 chains of 40 turns and more. */
     @Test
     void longChainsOfTurnsKeepEveryBit() {
-        PodRaceSimulator fast = new PodRaceSimulator(MAP);
-        TextbookPodRace textbook = new TextbookPodRace(MAP, 4);
-        PodCommands commands = new PodCommands(4);
         for (int pod = 0; pod < 4; pod++) {
-            put(fast, textbook, pod, 20000 * pod, 0, 0, 0, pod == 3 ? 511 : 0.1 * pod);
+            put(pod, 20000 * pod, 0, 0, 0, pod == 3 ? 511 : 0.1 * pod);
         }
         for (int turn = 0; turn < 400; turn++) {
             for (int pod = 0; pod < 4; pod++) {
@@ -223,27 +208,24 @@ class PodTurnTest {
 
     @Test
     void aTurnAllocatesNothing() {
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         RandomTurns random = new RandomTurns(4);
-        PodRaceSimulator start = new PodRaceSimulator(MAP);
         PodRaceSimulator race = new PodRaceSimulator(MAP);
         for (boolean recorded : new boolean[] {false, true}) {
             race.setRecorded(recorded);
-            long allocated = Long.MAX_VALUE;
-            for (int count = 0; count < 20 && allocated > 0; count++) {
-                allocated = 0;
+            Allocated.assertNone(20, "1,000 turns, recorded: " + recorded, () -> {
+                long allocated = 0;
                 for (int turn = 0; turn < 100; turn++) {
-                    placeBrawl(start, turn);
+                    placeBrawl(fast, turn);
                     random.commands(new double[4], new double[4], new double[4]);
-                    long before = threads.getCurrentThreadAllocatedBytes();
-                    race.copyFrom(start);
-                    for (int k = 0; k < 10; k++) {
-                        race.play(random.commands);
-                    }
-                    allocated += threads.getCurrentThreadAllocatedBytes() - before;
+                    allocated += Allocated.by(() -> {
+                        race.copyFrom(fast);
+                        for (int k = 0; k < 10; k++) {
+                            race.play(random.commands);
+                        }
+                    });
                 }
-            }
-            assertEquals(0, allocated, "bytes in 1,000 turns, recorded: " + recorded);
+                return allocated;
+            });
         }
     }
 
@@ -256,49 +238,41 @@ class PodTurnTest {
 
     @Test
     void theSameMapAndPodsAreAskedFor() {
-        PodRaceSimulator race = new PodRaceSimulator(MAP);
-        assertRefused("a race of 2 pods", () -> race.copyFrom(new PodRaceSimulator(MAP, 2, 1, 3)));
-        assertRefused("with 2 checkpoints", () -> race.copyFrom(new PodRaceSimulator(new double[][] {{0, 0}, {1, 2}})));
-        assertRefused("commands for 2 pods, expected 4", () -> race.play(new PodCommands(2)));
-        assertRefused("commands for 2 pods, expected 4", () -> new PodCommands(4).copyFrom(new PodCommands(2)));
+        refusedFor("a race of 2 pods", () -> fast.copyFrom(new PodRaceSimulator(MAP, 2, 1, 3)));
+        refusedFor("with 2 checkpoints", () -> fast.copyFrom(new PodRaceSimulator(new double[][] {{0, 0}, {1, 2}})));
+        refusedFor("commands for 2 pods, expected 4", () -> fast.play(new PodCommands(2)));
+        refusedFor("commands for 2 pods, expected 4", () -> new PodCommands(4).copyFrom(new PodCommands(2)));
     }
 
     @Test
     void racesThatCannotBeAreRefused() {
-        assertRefused("4 players with 3 pods", () -> new PodRaceSimulator(MAP, 4, 3, 3));
-        assertRefused("65536 players with 65536 pods", () -> new PodRaceSimulator(MAP, 1 << 16, 1 << 16, 3));
-        assertRefused("0 players", () -> new PodRaceSimulator(MAP, 0, 1, 3));
-        assertRefused("0 laps", () -> new PodRaceSimulator(MAP, 2, 2, 0));
-        assertRefused("1 checkpoints", () -> new PodRaceSimulator(new double[][] {{1, 2}}));
-        assertRefused("checkpoint 1: [NaN, 3.0]", () -> new PodRaceSimulator(new double[][] {{1, 2}, {Double.NaN, 3}}));
-        assertRefused("checkpoint 0: [1.0]", () -> new PodRaceSimulator(new double[][] {{1}, {2, 3}}));
-        assertRefused("in the same place", () -> new PodRaceSimulator(new double[][] {{1, 2}, {1, 2}}));
+        refusedFor("4 players with 3 pods", () -> new PodRaceSimulator(MAP, 4, 3, 3));
+        refusedFor("65536 players with 65536 pods", () -> new PodRaceSimulator(MAP, 1 << 16, 1 << 16, 3));
+        refusedFor("0 players", () -> new PodRaceSimulator(MAP, 0, 1, 3));
+        refusedFor("0 laps", () -> new PodRaceSimulator(MAP, 2, 2, 0));
+        refusedFor("1 checkpoints", () -> new PodRaceSimulator(new double[][] {{1, 2}}));
+        refusedFor("checkpoint 1: [NaN, 3.0]", () -> new PodRaceSimulator(new double[][] {{1, 2}, {Double.NaN, 3}}));
+        refusedFor("checkpoint 0: [1.0]", () -> new PodRaceSimulator(new double[][] {{1}, {2, 3}}));
+        refusedFor("in the same place", () -> new PodRaceSimulator(new double[][] {{1, 2}, {1, 2}}));
     }
 
     @Test
     void statesAndCommandsThatCannotBeAreRefused() {
-        PodRaceSimulator race = new PodRaceSimulator(MAP);
-        double x = race.x(0);
-        assertRefused("place NaN", () -> race.setPod(0, Double.NaN, 0, 0, 0, 0, 0, true, 0));
-        assertRefused("speed 0.0 1.0E61", () -> race.setPod(0, 0, 0, 0, 1e61, 0, 0, true, 0));
-        assertRefused("heading Infinity", () -> race.setPod(0, 0, 0, 0, 0, Double.POSITIVE_INFINITY, 0, true, 0));
-        assertRefused("shield timer 5", () -> race.setPod(0, 0, 0, 0, 0, 0, 5, true, 0));
-        assertRefused("passed 2147483647", () -> race.setPod(0, 0, 0, 0, 0, 0, 0, true, Integer.MAX_VALUE));
-        assertThrows(IndexOutOfBoundsException.class, () -> race.setPod(4, 0, 0, 0, 0, 0, 0, true, 0));
-        assertThrows(IndexOutOfBoundsException.class, () -> race.setTurnsLeft(-1, 7));
-        assertEquals(x, race.x(0), "nothing of a refused state is kept");
-        assertEquals(3, race.nextCheckpoint(3) + 2, "nor written elsewhere");
+        double x = fast.x(0);
+        refusedFor("place NaN", () -> fast.setPod(0, Double.NaN, 0, 0, 0, 0, 0, true, 0));
+        refusedFor("speed 0.0 1.0E61", () -> fast.setPod(0, 0, 0, 0, 1e61, 0, 0, true, 0));
+        refusedFor("heading Infinity", () -> fast.setPod(0, 0, 0, 0, 0, Double.POSITIVE_INFINITY, 0, true, 0));
+        refusedFor("shield timer 5", () -> fast.setPod(0, 0, 0, 0, 0, 0, 5, true, 0));
+        refusedFor("passed 2147483647", () -> fast.setPod(0, 0, 0, 0, 0, 0, 0, true, Integer.MAX_VALUE));
+        assertThrows(IndexOutOfBoundsException.class, () -> fast.setPod(4, 0, 0, 0, 0, 0, 0, true, 0));
+        assertThrows(IndexOutOfBoundsException.class, () -> fast.setTurnsLeft(-1, 7));
+        assertEquals(x, fast.x(0), "nothing of a refused state is kept");
+        assertEquals(3, fast.nextCheckpoint(3) + 2, "nor written elsewhere");
 
-        PodCommands commands = new PodCommands(4);
-        assertRefused("pod 1: thrust 651", () -> commands.set(1, 0, 0, 651));
-        assertRefused("pod 1: thrust -4", () -> commands.set(1, 0, 0, -4));
-        assertRefused("target 0.0 Infinity", () -> commands.set(1, 0, Double.POSITIVE_INFINITY, 1));
-        assertRefused("0 pods", () -> new PodCommands(0));
-    }
-
-    private static void assertRefused(String said, Executable call) {
-        String message = assertThrows(IllegalArgumentException.class, call).getMessage();
-        assertTrue(message.contains(said), message);
+        refusedFor("pod 1: thrust 651", () -> commands.set(1, 0, 0, 651));
+        refusedFor("pod 1: thrust -4", () -> commands.set(1, 0, 0, -4));
+        refusedFor("target 0.0 Infinity", () -> commands.set(1, 0, Double.POSITIVE_INFINITY, 1));
+        refusedFor("0 pods", () -> new PodCommands(0));
     }
 
     /** Who measures a scene sees, and can replace, the fast loop too. */

@@ -4,10 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
 import java.io.ByteArrayOutputStream;
 import java.io.OutputStream;
-import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,11 +16,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.InProcessPlayer;
 import steward.game.Game;
-import steward.game.GameJson;
 import steward.game.podrace.PodRace;
 import steward.game.podrace.PodSeat;
 import steward.game.podrace.PodState;
 import steward.lab.bench.section.MatchFixture;
+import steward.match.Allocated;
 import steward.match.Dialogue;
 import steward.match.DirectBot;
 import steward.match.MatchListener;
@@ -31,7 +29,6 @@ import steward.match.Protocol;
 import steward.match.Referee;
 import steward.match.Seat;
 import steward.match.TimeControl;
-import steward.match.Turn;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayWriter;
 import steward.scene.Scene;
@@ -114,64 +111,17 @@ class BenchBotsTest {
             TimeControl.UNLIMITED, NO_LISTENER).play());
     }
 
-    /** Turns without impacts, each played in several matches: what the JVM allocates once does not count. */
     @Test
-    void aRecordedTurnAllocatesNothing() throws InterruptedException {
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-        long[] least = new long[500];
-        java.util.Arrays.fill(least, Long.MAX_VALUE);
-        boolean[] quiet = new boolean[500];
-        for (int match = 0; match < 40; match++) {
-            ReplayWriter writer = writer(OutputStream.nullOutputStream(), 1);
-            List<Seat> seats = List.of(direct("a"), direct("b"));
-            Referee.of(fixture.setup(), 1, seats, TimeControl.UNLIMITED, new MatchListener() {
-                private Game game;
-                private long before;
-
-                @Override
-                public void start(Game started, GameJson codec) {
-                    game = started;
-                    writer.start(started, codec);
-                }
-
-                @Override
-                public void commands(Turn turn) {
-                    writer.commands(turn);
-                }
-
-                @Override
-                public void played(Turn turn) {
-                    writer.played(turn);
-                    long now = threads.getCurrentThreadAllocatedBytes();
-                    int number = turn.number() - 1;
-                    least[number] = Math.min(least[number], now - before);
-                    quiet[number] = number > 0 && game.log().impacts() == 0 && game.events().isEmpty();
-                    before = threads.getCurrentThreadAllocatedBytes();
-                }
-            }).play();
-        }
-        int counted = 0;
-        for (int turn = 0; turn < least.length; turn++) {
-            if (quiet[turn]) {
-                assertEquals(0, least[turn], "bytes in turn " + (turn + 1));
-                counted++;
-            }
-        }
-        assertTrue(counted > 100, "hardly any turn was counted");
-    }
-
-    @Test
-    void writingAFrameAndReadingAnAnswerAllocateNothing() {
-        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    void writingAFrameReadingAnAnswerAndADirectBotAllocateNothing() {
         PodRace game = (PodRace) fixture.setup().create(1);
         Dialogue dialogue = Dialogue.of(Protocol.JSON, fixture.setup(), game, fixture.setup().codec(game),
             Map.of());
         byte[] answer = "{\"pods\":[{\"x\":8000,\"y\":4500,\"thrust\":50},{\"x\":-80,\"y\":45,\"shield\":true}]}"
             .getBytes(StandardCharsets.UTF_8);
         List<PodState[]> states = states();
-        long least = Long.MAX_VALUE;
-        for (int count = 0; count < 30 && least > 0; count++) {
-            long before = threads.getCurrentThreadAllocatedBytes();
+        BenchDirectBot bot = new BenchDirectBot();
+        bot.start(game, 0);
+        Allocated.assertNone(30, "300 frames and answers", () -> Allocated.by(() -> {
             for (int k = 0; k < 300; k++) {
                 PodState[] pods = states.get(k % states.size());
                 for (int pod = 0; pod < pods.length; pod++) {
@@ -179,10 +129,9 @@ class BenchBotsTest {
                 }
                 assertTrue(dialogue.turn(k % 2).size() > 300);
                 assertTrue(dialogue.readAnswer(k % 2, answer, answer.length) == null);
+                bot.turn();
             }
-            least = threads.getCurrentThreadAllocatedBytes() - before;
-        }
-        assertEquals(0, least, "bytes for 300 frames and answers");
+        }));
     }
 
     /** The pods of a race turn by turn, so that all have moved. */
