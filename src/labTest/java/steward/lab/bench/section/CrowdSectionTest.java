@@ -1,0 +1,35 @@
+package steward.lab.bench.section;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import steward.lab.bench.Effort;
+import steward.lab.bench.Row;
+
+/** Rows and steps of the section on crowds. */
+@Tag("slow")
+class CrowdSectionTest {
+
+    private final List<Row> rows = new ArrayList<>();
+
+    /** Few bodies beside the textbook's way, some alone, many also dense, with a ratio to the sparse ones. */
+    @ParameterizedTest
+    @CsvSource({"30, 'textbook, 30 bodies|queue, 30 bodies|memory, 30 bodies'",
+        "4000, 'queue, 4000 bodies|memory, 4000 bodies'",
+        "10000, 'queue, 10000 bodies|queue, 10000 bodies at 60%|queue, 10000 bodies at 75%|memory, 10000 bodies'"})
+    void eachCrowdHasItsRowsAndReportsAllSteps(int bodies, String names) throws Exception {
+        CrowdSection section = new CrowdSection(List.of(bodies));
+        int[] steps = new int[1];
+        section.run(Effort.QUICK, () -> steps[0]++, rows::add);
+        assertEquals(names, String.join("|", rows.stream().map(Row::name).toList()));
+        assertEquals(section.steps(Effort.QUICK), steps[0]);
+        for (Row row : rows) {
+            assertEquals(row.name().endsWith("%"), row.ratio() > 0 && !names.contains("textbook")
+                && row != rows.get(0), row.name() + ": " + row.ratio());
+        }
+    }
+}
