@@ -39,22 +39,16 @@ class ListedSeedsTest {
         MemoryLeague league = new MemoryLeague(players);
         Schedule first = schedule(players, league, 1, 2, 3);
         assertEquals(0, first.unlisted());
-        play(league, first);
+        league.play(first, 1000, task -> { });
         int before = league.games().size();
         Schedule second = schedule(Seeds.of(List.of(8L, 60L, 9L, 5L)), players, league, 1, 2, 3);
         assertEquals(players == 2 ? 3 : 1, second.unlisted(), "those on 70");
-        play(league, second);
+        league.play(second, 1000, task -> { });
         assertTrue(second.isExhausted(true));
         Map<Long, Integer> seeds = new TreeMap<>();
         league.games().subList(before, league.games().size()).forEach(task ->
             seeds.merge(task.seed(), 1, Integer::sum));
         assertEquals(Map.of(8L, before / 3, 9L, before / 3), seeds);
-    }
-
-    private static void play(MemoryLeague league, Schedule schedule) {
-        for (Schedule.Task task = league.next(schedule, 1000); task != null; task = league.next(schedule, 1000)) {
-            league.over(schedule, task);
-        }
     }
 
     /** Interrupted after some games, and gone on with; a fourth bot comes later and begins with the first seed. */
@@ -67,10 +61,7 @@ class ListedSeedsTest {
             league.over(first, league.next(first, 1000));
         }
         Schedule second = schedule(players, league, 1, 2, 3);
-        Schedule.Task task = league.next(second, 1000);
-        for (; task != null; task = league.next(second, 1000)) {
-            league.over(second, task);
-        }
+        league.play(second, 1000, task -> { });
         assertTrue(second.isExhausted(true));
         assertFalse(second.isExhausted(false));
         int groups = players == 2 ? 3 : 1;
@@ -96,7 +87,7 @@ class ListedSeedsTest {
         MemoryLeague league = new MemoryLeague(2);
         Schedule schedule = schedule(2, league, 1, 2, 3);
         schedule.until(number -> number == 2);
-        play(league, schedule);
+        league.play(schedule, 1000, task -> { });
         assertEquals(4, league.games().size());
         assertFalse(schedule.isExhausted(true), "two of nine decisions have been made");
         assertFalse(schedule.isExhausted(false));

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import java.util.random.RandomGenerator;
 import steward.contest.seeds.Seeds;
 import steward.league.Schedule.Task;
 
@@ -95,6 +96,37 @@ public final class MemoryLeague {
     public void over(Schedule schedule, Task task, boolean... failed) {
         schedule.over(task, failed);
         over.add(task);
+    }
+
+    /** Plays one game after the other until there is none; each is told of before it is over. */
+    public void play(Schedule schedule, long most, Consumer<Task> game) {
+        for (Task task = next(schedule, most); task != null; task = next(schedule, most)) {
+            game.accept(task);
+            over(schedule, task);
+        }
+    }
+
+    /**
+     * Plays several games at a time, which end in any order. In a step one begins or ends; games that are under way
+     * after the last step are lost, as at a kill.
+     *
+     * @param end what is done with a game that ends
+     * @return true if nothing was left to play
+     */
+    public boolean play(Schedule schedule, long most, int steps, int threads, RandomGenerator random,
+                        Consumer<Task> end) {
+        List<Task> underWay = new ArrayList<>();
+        for (int step = 0; step < steps; step++) {
+            Task task = underWay.size() < threads ? next(schedule, most) : null;
+            if (task != null) {
+                underWay.add(task);
+            } else if (underWay.isEmpty()) {
+                return true;
+            } else {
+                end.accept(underWay.remove(random.nextInt(underWay.size())));
+            }
+        }
+        return false;
     }
 
     List<Task> games() {

@@ -32,19 +32,8 @@ class PlannedScheduleTest {
         return schedule;
     }
 
-    /** Plays at most so many games, several at a time; those under way at the end are lost, as at a kill. */
-    private void play(Schedule schedule, Random random, int most) {
-        List<Schedule.Task> underWay = new ArrayList<>();
-        for (int played = 0; played < most; played++) {
-            Schedule.Task task = underWay.size() < 4 ? league.next(schedule, Long.MAX_VALUE) : null;
-            if (task != null) {
-                underWay.add(task);
-            } else if (underWay.isEmpty()) {
-                return;
-            } else {
-                league.over(schedule, underWay.remove(random.nextInt(underWay.size())));
-            }
-        }
+    private void play(Schedule schedule, Random random, int steps) {
+        league.play(schedule, Long.MAX_VALUE, steps, 4, random, task -> league.over(schedule, task));
     }
 
     @ParameterizedTest

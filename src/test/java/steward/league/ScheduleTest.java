@@ -47,10 +47,7 @@ class ScheduleTest {
         Schedule schedule = schedule(players, 8, bots);
         MemoryLeague league = new MemoryLeague(players);
         List<String> games = new ArrayList<>();
-        for (Schedule.Task task = league.next(schedule, GAMES); task != null; task = league.next(schedule, GAMES)) {
-            games.add(name(task));
-            schedule.over(task);
-        }
+        league.play(schedule, GAMES, task -> games.add(name(task)));
         return games;
     }
 
@@ -101,13 +98,12 @@ class ScheduleTest {
         Schedule schedule = league.schedule(1, List.of());
         schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
         Map<String, Integer> counts = new HashMap<>();
-        for (Schedule.Task task = league.next(schedule, 300); task != null; task = league.next(schedule, 300)) {
+        league.play(schedule, 300, task -> {
             boolean alike = Arrays.stream(task.lineup()).sum() == 3;
             schedule.repeated().add(task.decision(), alike ? 7 + task.lineup()[0] : task.seed(), task.lineup());
             counts.merge(Math.min(task.lineup()[0], task.lineup()[1]) + " " + Math.max(task.lineup()[0],
                 task.lineup()[1]), 1, Integer::sum);
-            schedule.over(task);
-        }
+        });
         assertEquals(22, counts.get("1 2"), "two that are new and twenty that repeat them");
         assertEquals(278, counts.get("1 3") + counts.get("2 3"));
         assertFalse(schedule.isExhausted(false));
@@ -122,13 +118,8 @@ class ScheduleTest {
             if (players == 2) {
                 schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
             }
-            int games = 0;
-            for (Schedule.Task task = league.next(schedule, 1000); task != null; task = league.next(schedule, 1000)) {
-                schedule.repeated().add(task.decision(), 5, task.lineup());
-                games++;
-                schedule.over(task);
-            }
-            assertTrue(games < 100, players + " players, " + games + " games");
+            league.play(schedule, 1000, task -> schedule.repeated().add(task.decision(), 5, task.lineup()));
+            assertTrue(league.games().size() < 100, players + " players, " + league.games().size() + " games");
             assertTrue(schedule.isExhausted(false));
         }
     }
@@ -145,11 +136,9 @@ class ScheduleTest {
         MemoryLeague league = new MemoryLeague(2);
         Schedule schedule = league.schedule(8, List.of());
         schedule.play(List.of(1, 2, 3), versions -> Pairing.gauntlet(versions, 2, 2));
-        for (int k = 0; k < GAMES; k++) {
-            Schedule.Task task = league.next(schedule, Long.MAX_VALUE);
-            assertTrue(Arrays.stream(task.lineup()).anyMatch(version -> version == 2), name(task));
-            schedule.over(task);
-        }
+        league.play(schedule, GAMES, task ->
+            assertTrue(Arrays.stream(task.lineup()).anyMatch(version -> version == 2), name(task)));
+        assertEquals(GAMES, league.games().size());
     }
 
     @Test
@@ -257,17 +246,8 @@ class ScheduleTest {
         while (league.games().size() < GAMES) {
             Schedule schedule = league.schedule(4, List.of(bots));
             schedule.play(List.of(bots), versions -> Pairing.roundRobin(versions, players));
-            List<Schedule.Task> open = new ArrayList<>();
             int threads = 1 + random.nextInt(5);
-            int end = random.nextInt(GAMES);
-            for (int k = 0; k < end; k++) {
-                Schedule.Task task = open.size() < threads ? league.next(schedule, GAMES) : null;
-                if (task != null) {
-                    open.add(task);
-                } else if (!open.isEmpty()) {
-                    league.over(schedule, open.remove(random.nextInt(open.size())));
-                }
-            }
+            league.play(schedule, GAMES, random.nextInt(GAMES), threads, random, task -> league.over(schedule, task));
         }
         TreeSet<String> games = new TreeSet<>();
         league.games().forEach(task -> games.add(name(task)));

@@ -3,13 +3,13 @@ package steward.league.pairing;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
+import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -61,13 +61,12 @@ class AdaptivePairingTest {
             known.add(task.decision(), task.seed(), task.lineup(), score(task), 0, ranks(task));
         }
 
-        Schedule.Task next(long most) {
-            return league.next(schedule, most);
-        }
-
-        void over(Schedule.Task task) {
-            know(task);
-            league.over(schedule, task);
+        /** Plays until it ends by itself, or at so many games. */
+        void play(long most, Consumer<Schedule.Task> game) {
+            league.play(schedule, most, task -> {
+                game.accept(task);
+                know(task);
+            });
         }
     }
 
@@ -95,10 +94,7 @@ class AdaptivePairingTest {
     private static TreeSet<String> straight(int players) {
         Play play = new Play(players, new MemoryLeague(players), List.of());
         TreeSet<String> games = new TreeSet<>();
-        for (Schedule.Task task = play.next(20_000); task != null; task = play.next(20_000)) {
-            games.add(name(task));
-            play.over(task);
-        }
+        play.play(20_000, task -> games.add(name(task)));
         assertTrue(games.size() < 20_000, "it has ended by itself");
         List<Integer> order = play.end.met().order();
         assertEquals(List.of(1, 2, 3, 4, 5), order);
@@ -112,10 +108,7 @@ class AdaptivePairingTest {
         Map<Integer, Integer> games = new HashMap<>();
         for (int bots = 4; bots <= 5; bots++) {
             play.play(BOTS.subList(0, bots));
-            for (Schedule.Task task = play.next(20_000); task != null; task = play.next(20_000)) {
-                Arrays.stream(task.lineup()).forEach(bot -> games.merge(bot, 1, Integer::sum));
-                play.over(task);
-            }
+            play.play(20_000, task -> Arrays.stream(task.lineup()).forEach(bot -> games.merge(bot, 1, Integer::sum)));
             assertEquals(BOTS.subList(0, bots), play.end.met().order());
         }
         assertTrue(games.get(5) > 20, games::toString);
@@ -155,21 +148,12 @@ class AdaptivePairingTest {
         boolean ended = false;
         while (!ended) {
             Play play = new Play(players, league, stored.values());
-            List<Schedule.Task> open = new ArrayList<>();
             int threads = 1 + random.nextInt(5);
-            int steps = random.nextInt(3000);
-            for (int k = 0; k < steps && !ended; k++) {
-                Schedule.Task task = open.size() < threads ? play.next(20_000) : null;
-                if (task != null) {
-                    open.add(task);
-                } else if (!open.isEmpty()) {
-                    Schedule.Task over = open.remove(random.nextInt(open.size()));
-                    play.over(over);
-                    stored.put(name(over), over);
-                } else {
-                    ended = true;
-                }
-            }
+            ended = league.play(play.schedule, 20_000, random.nextInt(3000), threads, random, over -> {
+                play.know(over);
+                league.over(play.schedule, over);
+                stored.put(name(over), over);
+            });
         }
         return new TreeSet<>(stored.keySet());
     }
@@ -178,13 +162,8 @@ class AdaptivePairingTest {
     void thoseInDoubtPlayMostAndNobodyIsForgotten() {
         Map<Integer, Integer> games = new HashMap<>();
         Play play = new Play(2, new MemoryLeague(2), List.of());
-        int decisions = 0;
-        for (Schedule.Task task = play.next(4000); task != null; task = play.next(4000)) {
-            Arrays.stream(task.lineup()).forEach(bot -> games.merge(bot, 1, Integer::sum));
-            play.over(task);
-            decisions++;
-        }
-        double uniform = 2.0 * decisions / BOTS.size();
+        play.play(4000, task -> Arrays.stream(task.lineup()).forEach(bot -> games.merge(bot, 1, Integer::sum)));
+        double uniform = games.values().stream().mapToDouble(each -> each).average().orElseThrow();
         for (int bot : BOTS) {
             assertTrue(games.get(bot) >= 0.19 * uniform, games::toString);
         }

@@ -75,10 +75,7 @@ class ResumedResultsTest {
             Path folder = Files.createDirectory(path.resolve("of" + players));
             try (GameStore store = GameStore.write(new LeagueFolder(folder))) {
                 int number = store.open(season);
-                List<Version> bots = new ArrayList<>();
-                for (int bot = 1; bot <= 4; bot++) {
-                    bots.add(MadeUpGames.bot(store, bot));
-                }
+                List<Version> bots = MadeUpGames.bots(store, 4);
                 play(store, number, season, bots);
                 GameQueries queries = new GameQueries(store, number, season);
                 assertEquals(1000, queries.nextDecision());

@@ -3,7 +3,6 @@ package steward.league.store;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.Tag;
@@ -26,10 +25,7 @@ class SnapshotTest {
     void whatIsReadByMoreThanOneQueryIsOfOneMoment() {
         try (GameStore writer = GameStore.write(new LeagueFolder(folder))) {
             int season = writer.open(GameStoreTest.SEASON);
-            List<Version> bots = new ArrayList<>();
-            for (int k = 1; k <= BOTS; k++) {
-                bots.add(MadeUpGames.bot(writer, k));
-            }
+            List<Version> bots = MadeUpGames.bots(writer, BOTS);
             try (GameStore reader = GameStore.read(new LeagueFolder(folder))) {
                 CompletableFuture<Void> written = CompletableFuture.runAsync(() -> write(writer, season, bots));
                 GameQueries queries = new GameQueries(reader, season, GameStoreTest.SEASON);

@@ -13,9 +13,9 @@ import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.function.IntBinaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import steward.league.GameName;
 import steward.league.LeagueFolder;
 import steward.league.Season;
 import steward.league.StoredGame;
@@ -32,6 +32,28 @@ class StoredClustersTest {
     @TempDir
     private Path path;
 
+    private static List<Version> bots(GameStore store) {
+        return MadeUpGames.bots(store, 3);
+    }
+
+    /** Two games of a decision, from both seats; decisions go through the three pairs of bots in turn. */
+    private static List<StoredGame> pair(List<Version> bots, int decision, long seed, IntBinaryOperator ranks,
+                                         IntBinaryOperator transcript) {
+        List<StoredGame> games = new ArrayList<>();
+        for (int seat = 0; seat < 2; seat++) {
+            Version one = bots.get((decision + seat) % 3);
+            Version other = bots.get((decision + 1 - seat) % 3);
+            StoredGame game = GameStoreTest.game(one, other, seed, ranks.applyAsInt(one.id(), other.id()), 1, true);
+            games.add(new StoredGame(0, game.name(), decision, seed, 1, true, 50, null, 1, "here", null,
+                transcript.applyAsInt(one.id(), other.id()), game.seats()));
+        }
+        return games;
+    }
+
+    private static List<LeagueTable.Entry> entries(List<Version> bots) {
+        return bots.stream().map(bot -> new LeagueTable.Entry(bot.id(), bot.display(), false, true)).toList();
+    }
+
     /** Workers bring games in any order; which of the equal ones counts does not depend on it. */
     @Test
     void theTableOfEqualGamesDoesNotDependOnTheOrderInWhichTheyWereStored() throws IOException {
@@ -39,24 +61,15 @@ class StoredClustersTest {
         for (int turn = 0; turn < 6; turn++) {
             try (GameStore store = GameStore.write(new LeagueFolder(Files.createDirectory(path.resolve("" + turn))))) {
                 int season = store.open(SEASON);
-                List<Version> bots = List.of(MadeUpGames.bot(store, 1), MadeUpGames.bot(store, 2),
-                    MadeUpGames.bot(store, 3));
+                List<Version> bots = bots(store);
                 List<StoredGame> games = new ArrayList<>();
                 for (int decision = 0; decision < 12; decision++) {
-                    for (int seat = 0; seat < 2; seat++) {
-                        Version one = bots.get((decision + seat) % 3);
-                        Version other = bots.get((decision + 1 - seat) % 3);
-                        StoredGame game = GameStoreTest.game(one, other, decision, one.id() < other.id() ? -1 : 1, 1,
-                            true);
-                        games.add(new StoredGame(0, GameName.of(SEASON, decision, List.of(one.identity(),
-                            other.identity()), 1), decision, decision, 1, true, 50, null, 1, "here", null,
-                            10 * one.id() + other.id(), game.seats()));
-                    }
+                    games.addAll(pair(bots, decision, decision, (one, other) -> one < other ? -1 : 1,
+                        (one, other) -> 10 * one + other));
                 }
                 Collections.shuffle(games, new Random(turn));
                 MadeUpGames.add(store, season, games);
-                LeagueTable table = LeagueTable.of(new GameQueries(store, season, SEASON).results(), bots.stream()
-                    .map(bot -> new LeagueTable.Entry(bot.id(), bot.display(), false, true)).toList());
+                LeagueTable table = LeagueTable.of(new GameQueries(store, season, SEASON).results(), entries(bots));
                 assertEquals(6, table.results().games());
                 assertEquals(18, table.results().repeats());
                 tables.add(table.rows().stream().map(LeagueTable.Row::rating).toList());
@@ -70,8 +83,7 @@ class StoredClustersTest {
     void seedsThatSeveralPairingsShareAreFound() {
         try (GameStore store = GameStore.write(new LeagueFolder(path))) {
             int season = store.open(SEASON);
-            List<Version> versions = List.of(MadeUpGames.bot(store, 1), MadeUpGames.bot(store, 2),
-                MadeUpGames.bot(store, 3));
+            List<Version> versions = bots(store);
             SplittableRandom random = new SplittableRandom(1);
             List<StoredGame> games = new ArrayList<>();
             for (int k = 0; k < 200; k++) {
@@ -86,8 +98,7 @@ class StoredClustersTest {
             GameQueries queries = new GameQueries(store, season, SEASON);
             Results single = new Results(SEASON);
             queries.games(game -> single.add(game, version -> false));
-            List<LeagueTable.Entry> entries = versions.stream().map(version ->
-                new LeagueTable.Entry(version.id(), version.display(), false, true)).toList();
+            List<LeagueTable.Entry> entries = entries(versions);
             LeagueTable table = LeagueTable.of(queries.results(), entries);
             assertEquals(LeagueTable.of(single, entries).rows().stream().map(LeagueTable.Row::bar).toList(),
                 table.rows().stream().map(LeagueTable.Row::bar).toList());
@@ -103,18 +114,11 @@ class StoredClustersTest {
     void pairingsThatPlayAListShareItsSeeds() {
         try (GameStore store = GameStore.write(new LeagueFolder(path))) {
             int season = store.open(SEASON);
-            List<Version> bots = List.of(MadeUpGames.bot(store, 1), MadeUpGames.bot(store, 2),
-                MadeUpGames.bot(store, 3));
+            List<Version> bots = bots(store);
             List<StoredGame> games = new ArrayList<>();
             for (int decision = 0; decision < 30; decision++) {
                 long seed = 1000 + 7 * (decision / 3);
-                for (int seat = 0; seat < 2; seat++) {
-                    Version one = bots.get((decision + seat) % 3);
-                    Version other = bots.get((decision + 1 - seat) % 3);
-                    StoredGame game = GameStoreTest.game(one, other, decision, seed % 2 == 0 ? -1 : 1, 1, true);
-                    games.add(new StoredGame(0, GameName.of(SEASON, seed, List.of(one.identity(), other.identity()),
-                        1), decision, seed, 1, true, 50, null, 1, "here", null, 0, game.seats()));
-                }
+                games.addAll(pair(bots, decision, seed, (one, other) -> seed % 2 == 0 ? -1 : 1, (one, other) -> 0));
             }
             MadeUpGames.add(store, season, games);
             GameQueries queries = new GameQueries(store, season, SEASON);
