@@ -1,5 +1,6 @@
 package steward.cli;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
@@ -9,13 +10,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.function.IntPredicate;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import steward.cli.BrokenInputs.Kind;
 import steward.machines.wire.IncomingBytes;
@@ -73,106 +74,64 @@ class BrokenInputTest {
         assertFalse(inputs.check(kind, kind.original()), "the original is refused");
     }
 
-    /** Found by fuzzing: a null that stands in the file is named as what it is. */
-    @Test
-    void aNullWhereAWordIsExpected() throws IOException {
-        Kind kind = kind("scene duel");
-        String broken = new String(kind.original(), StandardCharsets.UTF_8).replace("\"truncate\"", "null");
-        assertTrue(new BrokenInputs(folder, SEED).check(kind, broken.getBytes(StandardCharsets.UTF_8)));
-    }
-
-    /** Found by fuzzing: a message may repeat a word of the file. */
-    @Test
-    void aWordOfTheFileIsRepeated() throws IOException {
-        Kind kind = kind("scene duel");
-        String broken = new String(kind.original(), StandardCharsets.UTF_8).replace("\"truncate\"", "int");
-        assertTrue(new BrokenInputs(folder, SEED).check(kind, broken.getBytes(StandardCharsets.UTF_8)));
-    }
-
-    /** Found by fuzzing: a number of an impact that is too great for a double is shown as it was recorded. */
-    @Test
-    void anImpulseBeyondAllNumbers() throws IOException {
-        Kind kind = kind("replay --impacts --json");
+    /**
+     * Found by fuzzing: a null that stands in the file is named as what it is; a message may repeat a word of the file;
+     * a number of an impact that is too great for a double is shown as it was recorded; the name of a field may look
+     * like a class; what a file has in place of frames may have names of any length.
+     */
+    @ParameterizedTest
+    @CsvSource({"scene duel, \"truncate\", null, true", "scene duel, \"truncate\", int, true",
+        "replay --impacts --json, '\"impulse\":[-0-9.eE]+', '\"impulse\":1e999', false",
+        "figures, \"largestError\", \"LargestError\", true", "import, (?s).*, '{\"fLONGrames\":[]}', true"})
+    void whatWasFoundIsToldAsItShould(String name, String part, String instead, boolean isRefused) throws IOException {
+        Kind kind = BrokenInputs.kinds().stream().filter(each -> each.name().equals(name)).findFirst().orElseThrow();
         String whole = new String(kind.original(), StandardCharsets.UTF_8);
-        String broken = whole.replaceFirst("\"impulse\":[-0-9.eE]+", "\"impulse\":1e999");
-        assertFalse(broken.equals(whole), "there is no impact");
-        assertFalse(new BrokenInputs(folder, SEED).check(kind, broken.getBytes(StandardCharsets.UTF_8)));
-    }
-
-    /** Found by fuzzing: the name of a field may look like a class. */
-    @Test
-    void aFieldThatLooksLikeAClassIsNamed() throws IOException {
-        Kind kind = kind("figures");
-        String broken = new String(kind.original(), StandardCharsets.UTF_8).replace("\"largestError\"",
-            "\"LargestError\"");
+        String broken = whole.replaceFirst(part, instead.replace("LONG", "x".repeat(2000)));
+        assertFalse(broken.equals(whole), "nothing is broken");
         BrokenInputs inputs = new BrokenInputs(folder, SEED);
         inputs.prepare(kind);
-        assertTrue(inputs.check(kind, broken.getBytes(StandardCharsets.UTF_8)));
+        assertEquals(isRefused, inputs.check(kind, broken.getBytes(StandardCharsets.UTF_8)));
     }
 
-    /** Found by fuzzing: what a file has in place of frames may have names of any length. */
-    @Test
-    void anImportWithoutFramesHasNamesOfAnyLength() throws IOException {
-        String broken = "{\"f" + "x".repeat(2000) + "rames\":[]}";
-        assertTrue(new BrokenInputs(folder, SEED).check(kind("import"), broken.getBytes(StandardCharsets.UTF_8)));
-    }
-
-    private static Kind kind(String name) throws IOException {
-        return BrokenInputs.kinds().stream().filter(each -> each.name().equals(name)).findFirst().orElseThrow();
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', value = {"JSON | {\"pods\":[{\"x\":1,\"y\":2.5,\"thrust\":100}],\"message\":\"hello\"}",
+        "JSON | {\"pods\":[{\"x\":1,\"y\":2,\"shield\":true}]}", "CODINGAME | 1000 2000 100 hello",
+        "CODINGAME | 1000 -20 SHIELD"})
+    @Tag("sized")
+    void anAnswer(Protocol protocol, String original) throws Exception {
+        assertSomeRefused(number -> new BrokenInputs(folder, SEED).answer(protocol, original, number));
     }
 
     @Test
     @Tag("sized")
-    void anAnswerInJson() throws InterruptedException {
-        answers( Protocol.JSON, "{\"pods\":[{\"x\":1,\"y\":2.5,\"thrust\":100}],\"message\":\"hello\"}");
-        answers( Protocol.JSON, "{\"pods\":[{\"x\":1,\"y\":2,\"shield\":true}]}");
-    }
-
-    @Test
-    @Tag("sized")
-    void anAnswerInWords() throws InterruptedException {
-        answers( Protocol.CODINGAME, "1000 2000 100 hello");
-        answers( Protocol.CODINGAME, "1000 -20 SHIELD");
+    void aCommandOfABot() throws Exception {
+        assertSomeRefused(number -> new BrokenInputs(folder, SEED).command(Fuzz.COMMAND, number));
     }
 
     @Test
     @Tag("process")                                     // whether a bundle can be started is tried
     @Tag("sized")
-    void whatArrivesFromOtherMachines() throws IOException {
+    void whatArrivesFromOtherMachines() throws Exception {
         IncomingBytes incoming = new IncomingBytes(Files.createDirectory(folder.resolve("incoming")), SEED);
-        for (IntPredicate target : List.<IntPredicate>of(incoming::word, incoming::league, incoming::job,
-                incoming::bundle)) {
-            int refused = 0;
-            for (int number = 0; number < 10 * inputs(); number++) {
-                try {
-                    refused += target.test(number) ? 1 : 0;
-                } catch (AssertionError | RuntimeException problem) {
-                    fail("steward.seed " + SEED + ", input " + number + ": " + problem.getMessage(), problem);
-                }
-            }
-            assertTrue(refused > 0 && refused < 10 * inputs(), "some are refused and some are not: " + refused);
+        for (Target target : List.<Target>of(incoming::word, incoming::league, incoming::job, incoming::bundle)) {
+            assertTrue(assertSomeRefused(target) < 10 * inputs(), "some are not refused");
         }
     }
 
-    private void answers(Protocol protocol, String original) throws InterruptedException {
-        int faults = 0;
-        for (int number = 0; number < 10 * inputs(); number++) {
-            faults += new BrokenInputs(folder, SEED).answer(protocol, original, number) ? 1 : 0;
-        }
-        assertTrue(faults > 0, "no answer was refused");
+    private interface Target {
+        boolean isRefused(int number) throws Exception;
     }
 
-    @Test
-    @Tag("sized")
-    void aCommandOfABot() {
+    private static int assertSomeRefused(Target target) throws Exception {
         int refused = 0;
         for (int number = 0; number < 10 * inputs(); number++) {
             try {
-                refused += new BrokenInputs(folder, SEED).command(Fuzz.COMMAND, number) ? 1 : 0;
+                refused += target.isRefused(number) ? 1 : 0;
             } catch (AssertionError | RuntimeException problem) {
                 fail("steward.seed " + SEED + ", input " + number + ": " + problem.getMessage(), problem);
             }
         }
-        assertTrue(refused > 0, "no command was refused");
+        assertTrue(refused > 0, "nothing was refused");
+        return refused;
     }
 }

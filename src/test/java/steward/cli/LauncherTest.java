@@ -10,13 +10,15 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The script that starts the program, with a Java that only prints what it was called with. */
 @Tag("process")
@@ -36,44 +38,40 @@ class LauncherTest {
         assertTrue(java.toFile().setExecutable(true));
     }
 
-    /** @param linux the file by which the script knows Linux */
-    private String started(String version, String linux) throws IOException, InterruptedException {
-        return started(version, linux, "help");
-    }
-
-    private String started(String version, String linux, String... words) throws IOException, InterruptedException {
+    /** What a script says that ends well, of this Java. */
+    private String run(Path script, String version, String... words) throws IOException, InterruptedException {
         Files.writeString(folder.resolve("java/release"), "JAVA_VERSION=\"" + version + "\"\n");
-        Path script = Files.writeString(folder.resolve("steward"),
-            Files.readString(Path.of("src/launcher/steward")).replace(LINUX, linux));
-        List<String> command = new ArrayList<>(List.of("/bin/sh", script.toString()));
-        command.addAll(List.of(words));
-        ProcessBuilder shell = new ProcessBuilder(command).redirectErrorStream(true);
+        ProcessBuilder shell = new ProcessBuilder(Cli.words(List.of("/bin/sh", script.toString()), words))
+            .redirectErrorStream(true);
         shell.environment().put("JAVA_HOME", folder.resolve("java").toString());
+        shell.environment().put("XDG_CACHE_HOME", folder.resolve("cache").toString());
         Process process = shell.start();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(0, process.waitFor(), said);
-        String tail = String.join("\n", words) + (words.length == 0 ? "" : "\n");
-        assertTrue(said.endsWith("steward.cli.Main\n" + tail), said);
         return said;
     }
 
-    /** RemoteMachines Java knows no VFORK, and could start no bot; from 25 on it warns about it. */
-    @Test
-    void vforkIsAskedForOnLinuxUpToJava24() throws IOException, InterruptedException {
-        String there = Files.createFile(folder.resolve("there")).toString();
-        assertTrue(started("17.0.1", there).contains(VFORK));
-        assertTrue(started("24", there).contains(VFORK));
-        assertEquals(-1, started("25", there).indexOf(VFORK));
-        assertEquals(-1, started("17.0.1", folder + "/no/such/file").indexOf(VFORK));
+    /** @param linux the file by which the script knows Linux */
+    private String started(String version, String linux, String... words) throws IOException, InterruptedException {
+        String said = run(Files.writeString(folder.resolve("steward"), Files.readString(Path.of("src/launcher/steward"))
+            .replace(LINUX, linux)), version, words);
+        assertTrue(said.endsWith("steward.cli.Main\n" + Stream.of(words).map(word -> word + "\n")
+            .collect(Collectors.joining())), said);
+        return said;
     }
 
-    /** The broker's queues use what newer Java warns of on the standard error; older Java refuses the word. */
-    @Test
-    void unsafeMemoryIsAllowedFromJava23() throws IOException, InterruptedException {
-        assertTrue(started("25.0.3", LINUX).contains("--sun-misc-unsafe-memory-access=allow\n"));
-        assertTrue(started("23", LINUX).contains("--sun-misc-unsafe-memory-access=allow\n"));
-        assertFalse(started("22", LINUX).contains("--sun-misc-unsafe"));
-        assertFalse(started("17.0.1", LINUX).contains("--sun-misc-unsafe"));
+    /**
+     * Java for other systems knows no VFORK, and could start no bot; from 25 on it warns about it. The broker's queues
+     * use what Java from 23 on warns of on the standard error; older Java refuses the word.
+     */
+    @ParameterizedTest
+    @CsvSource({"17.0.1, true, false", "22, true, false", "23, true, true", "24, true, true", "25, false, true",
+        "25.0.3, false, true"})
+    void aJavaIsAskedForWhatItKnows(String version, boolean vfork, boolean unsafe) throws Exception {
+        String said = started(version, Files.createFile(folder.resolve("there")).toString(), "help");
+        assertEquals(vfork, said.contains(VFORK));
+        assertEquals(unsafe, said.contains("--sun-misc-unsafe-memory-access=allow\n"));
+        assertFalse(started(version, folder + "/no such file", "help").contains(VFORK), "not on Linux");
     }
 
     @Test
@@ -87,7 +85,7 @@ class LauncherTest {
     }
 
     /** A start of an installation with a Java that writes the archives that it is asked for, as empty files. */
-    private String installed(Path home, String... words) throws IOException, InterruptedException {
+    private String installed(Path home, String version, String... words) throws IOException, InterruptedException {
         Path java = folder.resolve("java/bin/java");
         Files.writeString(java, """
             #!/bin/sh
@@ -98,15 +96,7 @@ class LauncherTest {
         Files.createDirectories(home.resolve("lib"));
         Files.writeString(home.resolve("lib/jars.sha256"), "00  steward.jar\n");
         Files.copy(Path.of("src/launcher/steward"), home.resolve("bin/steward"), StandardCopyOption.REPLACE_EXISTING);
-        List<String> command = new ArrayList<>(List.of("/bin/sh", home.resolve("bin/steward").toString()));
-        command.addAll(List.of(words));
-        ProcessBuilder shell = new ProcessBuilder(command).redirectErrorStream(true);
-        shell.environment().put("JAVA_HOME", folder.resolve("java").toString());
-        shell.environment().put("XDG_CACHE_HOME", folder.resolve("cache").toString());
-        Process process = shell.start();
-        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        assertEquals(0, process.waitFor(), said);
-        return said;
+        return run(home.resolve("bin/steward"), version, words);
     }
 
     private int made() throws IOException {
@@ -116,32 +106,29 @@ class LauncherTest {
 
     @Test
     void anInstallationThatMovedHasArchivesOfItsOwnInTheCache() throws IOException, InterruptedException {
-        Files.writeString(folder.resolve("java/release"), "JAVA_VERSION=\"17\"\n");
         Path home = folder.resolve("home");
-        installed(home, "--make-archives");
+        installed(home, "17", "--make-archives");
         assertEquals(2, made(), "one for the program, one for bots");
         String own = "-XX:SharedArchiveFile=" + home.toRealPath().resolve("lib/steward.jsa");
-        assertTrue(installed(home, "demo").contains(own));
+        assertTrue(installed(home, "17", "demo").contains(own));
         assertEquals(2, made());
 
         Path moved = Files.move(home, folder.resolve("moved"));
         String cached = "-XX:SharedArchiveFile=" + folder.toRealPath().resolve("cache/steward/archives-");
-        assertTrue(installed(moved, "demo").contains(cached));
+        assertTrue(installed(moved, "17", "demo").contains(cached));
         assertEquals(4, made(), "at the first start");
-        assertTrue(installed(moved, "demo").contains(cached));
+        assertTrue(installed(moved, "17", "demo").contains(cached));
         assertEquals(4, made());
 
-        Files.writeString(folder.resolve("java/release"), "JAVA_VERSION=\"21\"\n");
-        assertTrue(installed(moved, "demo").contains(cached), "another Java at the place of the first");
+        assertTrue(installed(moved, "21", "demo").contains(cached), "another Java at the place of the first");
         assertEquals(6, made());
     }
 
     /** Somebody else makes them: this start is as ever, without. */
     @Test
     void whoDoesNotGetTheLockStartsWithoutArchives() throws IOException, InterruptedException {
-        Files.writeString(folder.resolve("java/release"), "JAVA_VERSION=\"17\"\n");
         Path home = folder.resolve("home");
-        installed(home, "demo");
+        installed(home, "17", "demo");
         Path archives;
         try (Stream<Path> found = Files.list(folder.resolve("cache/steward"))) {
             archives = found.findFirst().orElseThrow();
@@ -149,11 +136,11 @@ class LauncherTest {
         Files.delete(archives.resolve("archives.for"));
         Files.delete(archives.resolve("steward.jsa"));
         Path lock = Files.createDirectory(archives.resolveSibling(archives.getFileName() + ".lock"));
-        assertFalse(installed(home, "demo").contains("-XX:SharedArchiveFile=" + archives.resolve("steward.jsa")));
+        assertFalse(installed(home, "17", "demo").contains("-XX:SharedArchiveFile=" + archives.resolve("steward.jsa")));
         assertEquals(2, made());
         assertTrue(Files.exists(lock));
         assertTrue(lock.toFile().setLastModified(System.currentTimeMillis() - 3_600_000));
-        assertTrue(installed(home, "demo").contains("steward.jsa"), "whoever had it was killed");
+        assertTrue(installed(home, "17", "demo").contains("steward.jsa"), "whoever had it was killed");
         assertEquals(4, made());
         assertFalse(Files.exists(lock));
     }
