@@ -21,7 +21,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Cli;
-import steward.cli.ShellBots;
 import steward.files.Folders;
 import tools.jackson.databind.JsonNode;
 
@@ -35,29 +34,21 @@ import tools.jackson.databind.JsonNode;
 @Execution(ExecutionMode.CONCURRENT)
 class ResubmissionTest {
 
-    private static final String BOT = "read -r setup\nwhile read -r turn; do\n%s"
-        + "echo '{\"pods\":[{\"x\":1,\"y\":%s,\"thrust\":100}]}'\ndone\n";
     private static final Pattern ROW = Pattern.compile("<td class=name><a href=\"bots/([^\"]+)\\.html\">.*?</tr>");
     private static final Pattern NUMBER = Pattern.compile("<td class=(?:num|\"num wide\")>([^<]*)");
 
     @TempDir
     private Path folder;
 
+    private ProgramFolder programs;
+
     @BeforeEach
     void scene() throws IOException {
-        ShellBots.shortDuel(folder, 2);
-    }
-
-    private void program(String name, String y, String more) throws IOException {
-        Path own = Files.createDirectories(folder.resolve("in").resolve(name));
-        Files.writeString(own.resolve("run"), "sh main.sh");
-        Files.writeString(own.resolve("main.sh"), BOT.formatted(more, y));
+        programs = new ProgramFolder(folder, 2);
     }
 
     private Cli call() {
-        return Cli.run("tournament", folder.resolve("in").toString(), "--scene",
-            folder.resolve("short.json").toString(), "--games", "2", "--protocol", "json", "--sandbox", "off", "--page",
-            folder.resolve("out").toString()).done();
+        return programs.call("--games", "2", "--sandbox", "off").done();
     }
 
     /** Calls again, and compares all pages with the database. */
@@ -136,13 +127,13 @@ class ResubmissionTest {
 
     @Test
     void threeResubmissionsPlayAgainstAll() throws IOException {
-        program("a", "1", "");
-        program("b", "9000", "");
-        program("c", "9000", "echo private >&2; exit 3\n");
+        programs.add("a", "1", "");
+        programs.add("b", "9000", "");
+        programs.add("c", "9000", "echo private >&2; exit 3\n");
         played(6, "a", "b", "c");
-        program("a", "2", "");
+        programs.add("a", "2", "");
         played(4, "a", "b", "c");
-        program("a", "3", "");
+        programs.add("a", "3", "");
         played(4, "a", "b", "c");
         String other = Files.readString(folder.resolve("out/bots/a.html")) + Files.readString(folder.resolve(
             "out/index.html"));
@@ -154,21 +145,21 @@ class ResubmissionTest {
     @Test
     @Tag("campaign")
     void newOnesAreAddedThoseThatAreGoneLeaveAndABackupReturns() throws IOException {
-        program("a", "1", "");
-        program("b", "9000", "");
-        program("c+", "4000", "");
+        programs.add("a", "1", "");
+        programs.add("b", "9000", "");
+        programs.add("c+", "4000", "");
         played(6, "a", "b", "c");
-        program("c-", "4001", "");                     // the second of one name: it is c-2, also when the first is gone
+        programs.add("c-", "4001", "");                     // the second of one name: it is c-2, also when the first is gone
         played(6, "a", "b", "c", "c-2");
         delete("c+");
         played(0, "a", "b", "c-2");
-        program("a", "5", "");
+        programs.add("a", "5", "");
         played(4, "a", "b", "c-2");
-        program("a", "1", "");                         // put back: its games with b count again, those with c-2, too
+        programs.add("a", "1", "");                         // put back: its games with b count again, those with c-2, too
         Cli cli = call();
         assertTrue(cli.out().startsWith("0 games"), cli.out());
         assertEquals(List.of("a", "b", "c-2"), List.copyOf(rows().keySet()));
-        program("d", "5000", "");
+        programs.add("d", "5000", "");
         delete("b");
         assertTrue(call().out().startsWith("4 games"));
         assertEquals(List.of("a", "c-2", "d"), List.copyOf(rows().keySet()));
@@ -183,9 +174,9 @@ class ResubmissionTest {
     void whatChangesDuringTheGamesWaitsForTheNextCall() throws IOException {
         String change = "echo '#' >>'" + folder.resolve("in/b/main.sh") + "'; mkdir -p '" + folder.resolve("in/d")
             + "'; echo 'sh x' >'" + folder.resolve("in/d/run") + "'; rm -rf '" + folder.resolve("in/e") + "'\n";
-        program("a", "1", change);
-        program("b", "9000", "");
-        program("e", "9001", "");
+        programs.add("a", "1", change);
+        programs.add("b", "9000", "");
+        programs.add("e", "9001", "");
         Cli cli = call();
         for (String line : List.of("b has changed", "d has come", "e has gone")) {
             assertTrue(cli.err().contains("steward: " + line
@@ -196,17 +187,17 @@ class ResubmissionTest {
     /** Two people hand in the same: both play, against each other too. */
     @Test
     void equalProgramsAreTwo() throws IOException {
-        program("a", "1", "");
-        program("b", "1", "");
+        programs.add("a", "1", "");
+        programs.add("b", "1", "");
         played(2, "a", "b");
     }
 
     /** A command of 1,203 characters is refused before it is written, and stops nobody. */
     @Test
     void aCommandThatIsTooLongIsAWordOnItsPage() throws IOException {
-        program("a", "1", "");
-        program("b", "9000", "");
-        program("long", "5", "");
+        programs.add("a", "1", "");
+        programs.add("b", "9000", "");
+        programs.add("long", "5", "");
         Files.writeString(folder.resolve("in/long/run"), "sh main.sh " + "x".repeat(1200));
         Cli cli = call();
         assertTrue(cli.err().contains("long: cannot run: run: found a command that is "), cli.err());

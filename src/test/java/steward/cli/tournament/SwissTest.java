@@ -22,7 +22,6 @@ import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Cli;
 import steward.cli.Main;
-import steward.cli.ShellBots;
 import steward.cli.shared.ExitStatus;
 
 /** Swiss rounds of four programs, interrupted and with programs that change: two games of each pair that meets. */
@@ -32,34 +31,25 @@ import steward.cli.shared.ExitStatus;
 @Execution(ExecutionMode.CONCURRENT)
 class SwissTest {
 
-    private static final String BOT = "read -r setup\nwhile read -r turn; do\n%s"
-        + "echo '{\"pods\":[{\"x\":1,\"y\":%s,\"thrust\":100}]}'\ndone\n";
-
     @TempDir
     private Path folder;
 
+    private ProgramFolder programs;
+
     @BeforeEach
     void programs() throws IOException {
-        ShellBots.shortDuel(folder, 2);
+        programs = new ProgramFolder(folder, 2);
         for (String name : List.of("a", "b", "c", "d")) {
-            program(name, "9000", "");
+            programs.add(name, "9000", "");
         }
     }
 
-    private void program(String name, String y, String more) throws IOException {
-        Path own = Files.createDirectories(folder.resolve("in").resolve(name));
-        Files.writeString(own.resolve("run"), "sh main.sh");
-        Files.writeString(own.resolve("main.sh"), BOT.formatted(more, y));
-    }
-
-    private List<String> words(int rounds) {
-        return List.of("tournament", folder.resolve("in").toString(), "--scene",
-            folder.resolve("short.json").toString(), "--games", "2", "--protocol", "json", "--sandbox", "off", "--page",
-            folder.resolve("out").toString(), "--rounds", Integer.toString(rounds));
+    private static String[] options(int rounds) {
+        return new String[] {"--games", "2", "--sandbox", "off", "--rounds", Integer.toString(rounds)};
     }
 
     private Cli call(int rounds) {
-        return Cli.run(words(rounds).toArray(String[]::new));
+        return programs.call(options(rounds));
     }
 
     private Path rounds() {
@@ -90,13 +80,13 @@ class SwissTest {
     void aRoundThatWasKilledGoesOnAsDecided() throws IOException, InterruptedException {
         Path waits = folder.resolve("waits");
         Path go = folder.resolve("go");
-        program("b", "9000", "if [ ! -e '" + go + "' ] && grep -q '}, *{\\|},{' '" + rounds() + "' 2>/dev/null; then\n"
+        programs.add("b", "9000", "if [ ! -e '" + go + "' ] && grep -q '}, *{\\|},{' '" + rounds() + "' 2>/dev/null; then\n"
             + "touch '" + waits + "'; while [ ! -e '" + go + "' ]; do sleep 0.1; done; fi\n");
         List<String> call = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
             "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp", Stream.of(System.getProperty("java.class.path")
                 .split(File.pathSeparator)).map(part -> Path.of(part).toAbsolutePath().toString())
                 .reduce((one, other) -> one + File.pathSeparator + other).orElseThrow(), Main.class.getName()));
-        call.addAll(words(3));
+        call.addAll(programs.words(options(3)));
         Process killed = new ProcessBuilder(call).redirectErrorStream(true)
             .redirectOutput(folder.resolve("killed.txt").toFile()).start();
         try {
@@ -132,7 +122,7 @@ class SwissTest {
     @Test
     void aResubmissionBetweenRoundsBeginsAnewAndSaysSo() throws IOException {
         assertGames(call(1), 2);
-        program("b", "9001", "");
+        programs.add("b", "9001", "");
         Cli second = call(2);
         assertTrue(second.err().contains("steward: the programs are not those of the 1 round so far: the rounds begin "
             + "anew; "), second.err());

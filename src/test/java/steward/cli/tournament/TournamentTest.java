@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -17,7 +16,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.Cli;
-import steward.cli.ShellBots;
 import steward.files.InputException;
 import tools.jackson.databind.JsonNode;
 
@@ -25,16 +23,8 @@ import tools.jackson.databind.JsonNode;
 @Execution(ExecutionMode.CONCURRENT)
 class TournamentTest {
 
-    private static final String BOT = "read -r setup\nwhile read -r turn; do\n"
-        + "echo '{\"pods\":[{\"x\":1,\"y\":%s,\"thrust\":100}]}'\ndone\n";
-
     @TempDir
     private Path folder;
-
-    private Path program(String name, String file, String content) throws IOException {
-        Path own = Files.createDirectories(folder.resolve("in").resolve(name));
-        return Files.writeString(own.resolve(file), content);
-    }
 
     @Test
     void namesKeepLettersOfAnyLanguageAndAreUnlike() throws IOException {
@@ -62,17 +52,14 @@ class TournamentTest {
     @Tag("slow")
     @Timeout(300)
     void everybodyMeetsEverybodyAndWhoFailsStopsNobody() throws IOException {
-        ShellBots.shortDuel(folder);
-        program("J\u00f6rg M\u00fcller", "run", "sh main.sh\r\n");
-        program("J\u00f6rg M\u00fcller", "main.sh", BOT.formatted("1"));
-        program("\u5c0f\u660e", "run", "sh main.sh\n");
-        program("\u5c0f\u660e", "main.sh", BOT.formatted("9000"));
-        program("crash", "run", "sh -c 'read -r setup; echo oh no >&2; exit 3'");
+        ProgramFolder programs = new ProgramFolder(folder, 8);
+        programs.add("J\u00f6rg M\u00fcller", "1", "");
+        Files.writeString(folder.resolve("in/J\u00f6rg M\u00fcller/run"), "sh main.sh\r\n");
+        programs.add("\u5c0f\u660e", "9000", "");
+        programs.add("crash", "1", "");
+        Files.writeString(folder.resolve("in/crash/run"), "sh -c 'read -r setup; echo oh no >&2; exit 3'");
         Files.writeString(folder.resolve("in/broken.cpp"), "int main() { return <b>; }\n");
-        String[] call = {"tournament", folder.resolve("in").toString(), "--scene",
-            folder.resolve("short.json").toString(), "--games", "1", "--protocol", "json",
-            "--page", folder.resolve("out").toString()};
-        Cli first = Cli.run(call).done();
+        Cli first = programs.call("--games", "1").done();
         assertTrue(first.out().contains("6 games in this run"), first.out());
         assertTrue(first.err().contains("broken: cannot run: the compiler failed: bot.cpp:1:")
             || first.err().contains("broken: cannot run: there is no C++ compiler"), first.err());
@@ -88,12 +75,10 @@ class TournamentTest {
             table.get(0));
         assertEquals(table.get(0).split(",", -1).length, table.get(1).split(",", -1).length);
         assertTrue(Files.readString(folder.resolve("out/index.html")).contains("league.html"));
-        Cli again = Cli.run(call);
+        Cli again = programs.call("--games", "1");
         assertTrue(again.out().contains("0 games in this run"), again.out() + again.err());
 
-        String[] asJson = Arrays.copyOf(call, call.length + 1);
-        asJson[call.length] = "--json";
-        JsonNode json = Cli.run(asJson).done().json();
+        JsonNode json = programs.call("--games", "1", "--json").done().json();
         assertEquals(4, json.get("programs").size());
         assertEquals(3, json.get("bots").size(), json.toString());
         for (JsonNode program : json.get("programs")) {
