@@ -118,13 +118,4 @@ class MainTest {
             assertTrue(cli.out().lines().allMatch(line -> line.length() <= 100), cli.out());
         }
     }
-
-    @Test
-    void explainTellsThePartsAndTheSettings() {
-        Cli cli = Cli.run("explain", "walled-race").done();
-        assertTrue(cli.out().lines().anyMatch(line -> line.matches("in +walls +4 walls")), cli.out());
-        assertTrue(cli.out().lines().anyMatch(line -> line.matches("out +reactions .*")), cli.out());
-        assertTrue(cli.out().contains("  pods: perPlayer 2, radius 400, mass 1, restitution 0.9\n"), cli.out());
-        assertTrue(cli.out().lines().allMatch(line -> line.length() <= 100), cli.out());
-    }
 }

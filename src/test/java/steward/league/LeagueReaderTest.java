@@ -2,11 +2,14 @@ package steward.league;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import steward.bot.TimeBasis;
 import steward.bot.hold.HoldPolicy;
 import steward.contest.Hiccups;
@@ -82,32 +85,27 @@ class LeagueReaderTest {
             refusal(String.format(plain, ", \"hold\": \"burner\"")).replaceAll("^league.json:\\d+:\\d+: ", ""));
     }
 
-    @Test
-    void aWrongFieldIsNamedWithItsPlace() {
-        assertEquals("league.json:2:95: pairing: found the unknown bot \"c\", expected one of the league's bots",
-            refusal(WHOLE.replace("gauntlet a", "gauntlet c")).replaceAll("2:\\d+", "2:95"));
-        assertEquals("league.json:7:23: bots[1].name: found \"a\" a second time, expected each name once",
-            refusal(WHOLE.replace("\"name\": \"b\"", "\"name\": \"a\"")).replaceAll("7:\\d+", "7:23"));
-        assertEquals("league.json:9:23: bots[2].name: found \"b@arm\", expected NAME@PLATFORM with a platform such as "
-            + "linux-x86_64 or linux-aarch64: linux, macos or windows, and x86_64, aarch64, arm, loongarch64, ppc64le, "
-            + "riscv64, s390x or x86", refusal(WHOLE.replace("@linux-arm", "@arm")).replaceAll("9:\\d+", "9:23"));
-        assertEquals("league.json:8:41: bots[1].platforms[1].platform: found \"linux-aarch64\" a second time, expected "
-            + "each platform once", refusal(WHOLE.replace("[\"b-arm\"] }", "[] }, { \"platform\": \"linux-aarch64\", "
-                + "\"command\": \"x\" }")).replaceAll("8:\\d+", "8:41"));
-        assertEquals("bots[2].platforms[0].platform: found \"linux-x86\", expected none: the bot plays on the platform "
-            + "of its name", refusal(WHOLE.replace("\"./b-a\"", "\"./b-a\", \"platforms\": [ { \"platform\": "
-                + "\"linux-x86\", \"command\": \"x\" } ]")).replaceAll("^league.json:\\d+:\\d+: ", ""));
-        assertEquals("bots[1].firstAnswerMs: found 9, expected \"answerMs\" beside it", refusal(WHOLE
-            .replace("\"answerMs\": 9", "\"firstAnswerMs\": 9")).replaceAll("^league.json:\\d+:\\d+: ", ""));
-        assertEquals("bots[1].answerMs: found 0, expected a whole number 1..3600000",
-            refusal(WHOLE.replace("\"answerMs\": 9", "\"answerMs\": 0")).replaceAll("^league.json:\\d+:\\d+: ", ""));
-        assertEquals("league.json:1:27: seed: found nothing, expected a text",
-            refusal("{\"league\":1,\"scene\":\"duel\"}").replaceAll("1:\\d+", "1:27"));
-        assertEquals("league.json:1:45: bost: found an unknown field", refusal(
-            "{\"league\":1,\"scene\":\"duel\",\"seed\":\"1\",  \"bost\": []}").replaceAll("1:\\d+", "1:45")
-            .replaceAll(", expected.*", ""));
-        assertEquals("league.json:1:11: league: found 2, expected a whole number 1..1",
-            refusal("{\"league\":2,\"scene\":\"duel\"}"));
+    /** Each row: a part of the text, what stands there instead, and the refusal with its line. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+        gauntlet a | gauntlet c | 2 pairing: found the unknown bot "c", expected one of the league's bots
+        "name": "b" | "name": "a" | 7 bots[1].name: found "a" a second time, expected each name once
+        @linux-arm | @arm | 9 bots[2].name: found "b@arm", expected NAME@PLATFORM with a platform such as linux-x86_64 \
+        or linux-aarch64: linux, macos or windows, and x86_64, aarch64, arm, loongarch64, ppc64le, riscv64, s390x or x86
+        ["b-arm"] } | [] }, { "platform": "linux-aarch64", "command": "x" } | 8 bots[1].platforms[1].platform: found \
+        "linux-aarch64" a second time, expected each platform once
+        "./b-a" | "./b-a", "platforms": [ { "platform": "linux-x86", "command": "x" } ] | 9 bots[2].platforms[0]\
+        .platform: found "linux-x86", expected none: the bot plays on the platform of its name
+        "answerMs": 9 | "firstAnswerMs": 9 | 7 bots[1].firstAnswerMs: found 9, expected "answerMs" beside it
+        "answerMs": 9 | "answerMs": 0 | 7 bots[1].answerMs: found 0, expected a whole number 1..3600000
+        "seed": "-9223372036854775808",| `` | 1 seed: found nothing, expected a text
+        "lag": 7,| "lag": 7, "bost": [], | 2 bost: found an unknown field, expected
+        "league": 1 | "league": 2 | 2 league: found 2, expected a whole number 1..1
+        """)
+    void aWrongFieldIsNamedWithItsPlace(String part, String instead, String refusal) {
+        assertTrue(WHOLE.contains(part), part);
+        String found = refusal(WHOLE.replace(part, instead)).replaceFirst("^league.json:(\\d+):\\d+:", "$1");
+        assertEquals(refusal, found.substring(0, Math.min(refusal.length(), found.length())));
     }
 
     @Test

@@ -28,6 +28,15 @@ class SeasonTest {
     }
 
     @Test
+    void aSceneThatHasBeenChangedIsNamed() {
+        Season one = of("rules");
+        assertEquals("the scene duel has been changed",
+            one.difference(Season.of("duel", "2", one.limits(), "rules", 2, false)));
+        assertEquals("the scene is another one (crowd, was duel)",
+            one.difference(Season.of("crowd", "2", one.limits(), "rules", 2, false)));
+    }
+
+    @Test
     void anotherLawIsSaidByItsRung() {
         Season first = of("b8309ca632eecf63 event/exact CORRECTLY_ROUNDED");
         assertEquals("the law of event/exact is another version",

@@ -9,6 +9,7 @@ import com.networknt.schema.SchemaRegistry;
 import com.networknt.schema.SpecificationVersion;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BiConsumer;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.FieldSource;
 import tools.jackson.databind.JsonNode;
@@ -21,8 +22,8 @@ class SchemaFilesTest {
     static final List<String> NAMES = List.of("machines", Schemas.POD_RACE, Schemas.SEARCH_RACE, Schemas.MEAN_MAX,
         Schemas.FANTASTIC_BITS, Schemas.POKER_CHIP_RACE, "guest");
 
-    private static String text(String name) {
-        return Schemas.text(name);
+    private static JsonNode schema(String name) {
+        return JsonMapper.shared().readTree(Schemas.text(name));
     }
 
     @ParameterizedTest
@@ -31,7 +32,7 @@ class SchemaFilesTest {
         Schema meta = SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
             .getSchema(SchemaLocation.of("https://json-schema.org/draft/2020-12/schema"));
 
-        assertEquals(List.of(), Schemas.problems(meta, text(name)));
+        assertEquals(List.of(), Schemas.problems(meta, Schemas.text(name)));
         assertTrue(Schemas.problems(meta, "{\"type\":\"objekt\"}").size() > 0, "the meta-schema refuses something");
     }
 
@@ -39,60 +40,44 @@ class SchemaFilesTest {
     @FieldSource("NAMES")
     void everyFieldHasTitleAndDescription(String name) {
         List<String> bare = new ArrayList<>();
-        int fields = inspect("", JsonMapper.shared().readTree(text(name)), bare);
+        List<String> seen = new ArrayList<>();
+        walk("", schema(name), (path, part) -> part.path("properties").forEachEntry((field, definition) -> {
+            boolean told = definition.has("title") && definition.has("description") || definition.has("$ref")
+                || part.has("$ref");                       // refines a field of that
+            (told ? seen : bare).add(path + "/" + field);
+        }));
 
         assertEquals(List.of(), bare);
-        assertTrue(fields >= 5, "fields seen: " + fields);
+        assertTrue(seen.size() >= 5, seen::toString);
     }
 
     @ParameterizedTest
     @FieldSource("NAMES")
     void everyObjectIsClosedButTheSceneAndWhatBotsReport(String name) {
         List<String> open = new ArrayList<>();
-        closed("", JsonMapper.shared().readTree(text(name)), open);
+        walk("", schema(name), (path, part) -> {
+            if (part.path("type").asString("").equals("object") && !part.path("additionalProperties").isBoolean()
+                    && !part.path("unevaluatedProperties").isBoolean()) {
+                open.add(path);
+            }
+        });
 
         open.removeIf(path -> path.endsWith("/data") || path.endsWith("/replayHeader/properties/scene"));
         assertEquals(List.of(), open);
     }
 
-    private static int inspect(String path, JsonNode schema, List<String> bare) {
-        int fields = 0;
-        JsonNode properties = schema.get("properties");
-        if (properties != null) {
-            for (String field : properties.propertyNames()) {
-                JsonNode definition = properties.get(field);
-                boolean told = definition.has("title") && definition.has("description") || definition.has("$ref")
-                    || schema.has("$ref");                 // refines a field of that
-                if (!told) {
-                    bare.add(path + "/" + field);
-                }
-                fields++;
+    /** Looks at all parts; at a map of fields only by its fields, of which one may be called "properties" too. */
+    private static void walk(String path, JsonNode part, BiConsumer<String, JsonNode> look) {
+        look.accept(path, part);
+        for (JsonNode element : part.isArray() ? part : List.<JsonNode>of()) {
+            walk(path + "/[]", element, look);
+        }
+        part.forEachEntry((key, inner) -> {
+            if (key.equals("properties")) {
+                inner.forEachEntry((field, definition) -> walk(path + "/properties/" + field, definition, look));
+            } else {
+                walk(path + "/" + key, inner, look);
             }
-        }
-        for (String key : schema.propertyNames()) {
-            // A field may be called "properties" too.
-            for (JsonNode part : key.equals("properties") ? schema.get(key) : List.of(schema.get(key))) {
-                fields += inspect(path + "/" + key, part, bare);
-            }
-        }
-        for (JsonNode element : schema.isArray() ? schema : JsonMapper.shared().createArrayNode()) {
-            fields += inspect(path + "/[]", element, bare);
-        }
-        return fields;
-    }
-
-    private static void closed(String path, JsonNode schema, List<String> open) {
-        boolean isObject = schema.has("type") && schema.get("type").isString()
-            && schema.get("type").stringValue().equals("object");
-        if (isObject && !schema.path("additionalProperties").isBoolean()
-            && !schema.path("unevaluatedProperties").isBoolean()) {
-            open.add(path);
-        }
-        for (String key : schema.propertyNames()) {
-            closed(path + "/" + key, schema.get(key), open);
-        }
-        for (JsonNode element : schema.isArray() ? schema : JsonMapper.shared().createArrayNode()) {
-            closed(path + "/[]", element, open);
-        }
+        });
     }
 }

@@ -82,16 +82,6 @@ class AccuracyOptionTest {
         assertNotEquals(states(own), states(rough));
     }
 
-    private static void refused(String call, String... messages) {
-        Cli cli = Cli.run("--cli", call);
-        assertEquals(ExitStatus.UNUSABLE, cli.status(), cli.err());
-        assertEquals(call.startsWith("referee -p") ? "-1\n-1\n" : "", cli.out());
-        for (String message : messages) {
-            assertTrue(cli.err().startsWith("steward: --accuracy: ")
-                && cli.err().contains(message), cli.err());
-        }
-    }
-
     @Test
     void explainSaysWhichRungAndWhy() {
         assertTrue(Cli.run("explain", "duel").out()

@@ -4,27 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import steward.contest.Contest;
 import steward.contest.PairedPlay.Outcome;
 import steward.contest.PairedPlay.Seed;
-import steward.match.Protocol;
-import steward.match.TestScenes;
 
 /** Seeds that tell bots apart, as the outcomes of their games say. */
 class SeedChoiceTest {
 
     private long transcript;
-
-    private static Contest contest(int players) {
-        List<Contest.Entrant> entrants = new ArrayList<>();
-        for (int k = 0; k < players; k++) {
-            entrants.add(new Contest.Entrant("bot" + k, "bot" + k, Protocol.JSON, List.of()));
-        }
-        return new Contest(TestScenes.duel(players), entrants, null, 1);
-    }
 
     private Outcome game(double... values) {
         return new Outcome(values, false, ++transcript, new boolean[values.length]);
@@ -37,7 +25,7 @@ class SeedChoiceTest {
 
     @Test
     void aSeedIsChosenWhereABotWinsFromBothSides() {
-        SeedChoice choice = new SeedChoice(contest(2), 2);
+        SeedChoice choice = new SeedChoice(PoolScoresTest.contest(2), 2);
         assertTrue(choice.take(seed(1, 1, -1)), "who sits first wins");
         assertTrue(choice.take(seed(2, 0, 0)), "draws");
         assertTrue(choice.take(seed(3, 1, 0)), "won from the one side, drawn from the other: d = 1/2, s = 1/4");
@@ -54,7 +42,7 @@ class SeedChoiceTest {
     /** Who crashed lost from both sides: that is a merit of the seed in nothing. */
     @Test
     void aSeedOnWhichABotFailedIsPassedOver() {
-        SeedChoice choice = new SeedChoice(contest(2), 2);
+        SeedChoice choice = new SeedChoice(PoolScoresTest.contest(2), 2);
         choice.take(new Seed(1, new Outcome(new double[] {1, 0}, false, 7, false, true), game(0, 1)));
         choice.take(seed(2, 1, 1));
         assertEquals(List.of("2  # bot0 ahead by 1"), choice.lines());
@@ -63,7 +51,7 @@ class SeedChoiceTest {
 
     @Test
     void gamesThatRepeatOthersChooseNothing() {
-        SeedChoice choice = new SeedChoice(contest(2), 2);
+        SeedChoice choice = new SeedChoice(PoolScoresTest.contest(2), 2);
         Outcome first = new Outcome(new double[] {1, 0}, false, 7);
         Outcome second = new Outcome(new double[] {0, 1}, false, 8);
         choice.take(new Seed(1, first, second));
@@ -74,7 +62,7 @@ class SeedChoiceTest {
     /** Of three players the order may be that of the bots in each game, of the seats, or neither. */
     @Test
     void amongThreeTheWorthiestAreChosen() {
-        SeedChoice choice = new SeedChoice(contest(3), 1);
+        SeedChoice choice = new SeedChoice(PoolScoresTest.contest(3), 1);
         // First bot 1, second 1/2 and third 0 points in each game: d = 1/2, each seat has 1/2 on average.
         Seed bots = new Seed(1, game(2, 1, 0), game(1, 0, 2), game(0, 2, 1));
         // First bot 1, second 0: d = 1.

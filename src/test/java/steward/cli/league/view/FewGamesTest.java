@@ -121,12 +121,8 @@ class FewGamesTest {
         }
     }
 
-    private static String done(String... words) {
-        String[] call = new String[words.length + 1];
-        call[0] = "league";
-        System.arraycopy(words, 0, call, 1, words.length);
-        Cli cli = Cli.run(call).done();
-        return cli.out();
+    private String done(String... words) {
+        return Cli.league(folder, words).done().out();
     }
 
     /** Residuals beside ratings are told only where the two shares can be told apart. */
