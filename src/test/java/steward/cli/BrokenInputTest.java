@@ -10,17 +10,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import steward.cli.BrokenInputs.Kind;
-import steward.machines.wire.IncomingBytes;
-import steward.match.Protocol;
 import steward.match.TestSize;
 
 /**
@@ -34,34 +30,62 @@ class BrokenInputTest {
     private static final long SEED = Long.getLong("steward.seed", 12);
 
     @TempDir
-    private Path folder;
+    private static Path folder;
 
     private static int inputs() {
         return Integer.getInteger("steward.inputs", TestSize.of(10, 60));
     }
 
-    static Stream<Kind> kinds() throws IOException {
-        return BrokenInputs.kinds().stream();
+    static List<Kind> kinds() throws IOException {
+        return BrokenInputs.kinds();
     }
 
-    @ParameterizedTest
-    @MethodSource("kinds")
-    @Timeout(7200)
-    @Tag("sized")
-    void endsWithAStatusAndOneMessage(Kind kind) throws IOException {
-        BrokenInputs inputs = new BrokenInputs(folder, SEED);
-        inputs.prepare(kind);
+    static List<Fuzz.Named> files() throws IOException {
+        return Fuzz.files(folder, SEED);
+    }
+
+    static List<Fuzz.Named> words() {
+        return Fuzz.words(folder, SEED);
+    }
+
+    static List<Fuzz.Named> incoming() throws IOException {
+        return Fuzz.incoming(folder, SEED);
+    }
+
+    private static int refused(Fuzz.Named each, int inputs) throws Exception {
         int refused = 0;
-        for (int number = 0; number < inputs(); number++) {
-            byte[] broken = inputs.broken(kind, number);
+        for (int number = 0; number < inputs; number++) {
             try {
-                refused += inputs.check(kind, broken) ? 1 : 0;
+                refused += each.target().check(number) ? 1 : 0;
             } catch (AssertionError | RuntimeException problem) {
-                fail(kind.name() + ", steward.seed " + SEED + ", input " + number + ": " + problem.getMessage()
-                    + "\n--- the input:\n" + BrokenInputs.shown(broken), problem);
+                fail(each + ", steward.seed " + SEED + ", input " + number + ": " + problem.getMessage(), problem);
             }
         }
         assertTrue(refused > 0, "nothing was refused");
+        return refused;
+    }
+
+    @ParameterizedTest
+    @MethodSource("files")
+    @Timeout(7200)
+    @Tag("sized")
+    void aFileEndsWithAStatusAndOneMessage(Fuzz.Named target) throws Exception {
+        refused(target, inputs());
+    }
+
+    @ParameterizedTest
+    @MethodSource("words")
+    @Tag("sized")
+    void anAnswerOrACommandIsUsedOrRefused(Fuzz.Named target) throws Exception {
+        refused(target, 10 * inputs());
+    }
+
+    @ParameterizedTest
+    @MethodSource("incoming")
+    @Tag("process")                                     // whether a bundle can be started is tried
+    @Tag("sized")
+    void whatArrivesFromOtherMachinesIsUsedOrRefused(Fuzz.Named target) throws Exception {
+        assertTrue(refused(target, 10 * inputs()) < 10 * inputs(), "some are not refused");
     }
 
     /** Inputs that are refused whatever is done to them show nothing. */
@@ -91,47 +115,5 @@ class BrokenInputTest {
         BrokenInputs inputs = new BrokenInputs(folder, SEED);
         inputs.prepare(kind);
         assertEquals(isRefused, inputs.check(kind, broken.getBytes(StandardCharsets.UTF_8)));
-    }
-
-    @ParameterizedTest
-    @CsvSource(delimiter = '|', value = {"JSON | {\"pods\":[{\"x\":1,\"y\":2.5,\"thrust\":100}],\"message\":\"hello\"}",
-        "JSON | {\"pods\":[{\"x\":1,\"y\":2,\"shield\":true}]}", "CODINGAME | 1000 2000 100 hello",
-        "CODINGAME | 1000 -20 SHIELD"})
-    @Tag("sized")
-    void anAnswer(Protocol protocol, String original) throws Exception {
-        assertSomeRefused(number -> new BrokenInputs(folder, SEED).answer(protocol, original, number));
-    }
-
-    @Test
-    @Tag("sized")
-    void aCommandOfABot() throws Exception {
-        assertSomeRefused(number -> new BrokenInputs(folder, SEED).command(Fuzz.COMMAND, number));
-    }
-
-    @Test
-    @Tag("process")                                     // whether a bundle can be started is tried
-    @Tag("sized")
-    void whatArrivesFromOtherMachines() throws Exception {
-        IncomingBytes incoming = new IncomingBytes(Files.createDirectory(folder.resolve("incoming")), SEED);
-        for (Target target : List.<Target>of(incoming::word, incoming::league, incoming::job, incoming::bundle)) {
-            assertTrue(assertSomeRefused(target) < 10 * inputs(), "some are not refused");
-        }
-    }
-
-    private interface Target {
-        boolean isRefused(int number) throws Exception;
-    }
-
-    private static int assertSomeRefused(Target target) throws Exception {
-        int refused = 0;
-        for (int number = 0; number < 10 * inputs(); number++) {
-            try {
-                refused += target.isRefused(number) ? 1 : 0;
-            } catch (AssertionError | RuntimeException problem) {
-                fail("steward.seed " + SEED + ", input " + number + ": " + problem.getMessage(), problem);
-            }
-        }
-        assertTrue(refused > 0, "nothing was refused");
-        return refused;
     }
 }

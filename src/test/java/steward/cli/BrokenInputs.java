@@ -225,11 +225,6 @@ final class BrokenInputs {
         return new SplittableRandom(seed * 1_000_003 + number);
     }
 
-    static String shown(byte[] bytes) {
-        String text = new String(bytes, StandardCharsets.UTF_8);
-        return text.length() < 5000 ? text : text.substring(0, 5000) + "...";
-    }
-
     /**
      * Calls the program with an input; whether it was refused.
      *

@@ -26,7 +26,7 @@ import steward.text.TextFormat;
 public final class Fuzz {
 
     /** A command with everything that one can have. */
-    static final String COMMAND = "name=codingame:python3 'my bot.py' --level \"3 4\" x\\ y";
+    private static final String COMMAND = "name=codingame:python3 'my bot.py' --level \"3 4\" x\\ y";
 
     private static final String ROW = "%-48s %9s %9s %9s %11s%n";
     /** After so many failures the next target is tried. */
@@ -46,11 +46,15 @@ public final class Fuzz {
     }
 
     /** Tries one input; whether it was refused. */
-    private interface Target {
+    interface Target {
         boolean check(int number) throws IOException, InterruptedException;
     }
 
-    private record Named(String name, Target target) {
+    record Named(String name, Target target) {
+        @Override
+        public String toString() {
+            return name;
+        }
     }
 
     /** Reads the options, tries, prints. */
@@ -82,31 +86,54 @@ public final class Fuzz {
     }
 
     private List<Named> targets() throws IOException, InterruptedException {
-        List<Named> targets = new ArrayList<>();
-        BrokenInputs inputs = new BrokenInputs(folder, seed);
-        List<Kind> kinds = new ArrayList<>(BrokenInputs.kinds());
-        kinds.add(BrokenInputs.league("run"));
-        for (Kind kind : kinds) {
-            inputs.prepare(kind);
-            targets.add(new Named(kind.name(), number -> inputs.check(kind, inputs.broken(kind, number))));
-        }
-        targets.add(new Named("answer in JSON", number -> inputs.answer(Protocol.JSON,
-            "{\"pods\":[{\"x\":1,\"y\":2.5,\"thrust\":100}],\"message\":\"hello\"}", number)));
-        targets.add(new Named("answer in words", number -> inputs.answer(Protocol.CODINGAME, "1000 2000 100 hello",
-            number)));
-        targets.add(new Named("command of a bot", number -> inputs.command(COMMAND, number)));
+        List<Named> targets = new ArrayList<>(files(folder, seed));
+        Kind run = BrokenInputs.league("run");
+        targets.add(new Named(run.name(), target(run, Files.createDirectory(folder.resolve("run")), seed)));
+        targets.addAll(words(folder, seed));
         BrokenRows rows = new BrokenRows(Files.createDirectory(folder.resolve("rows")), seed);
         targets.add(new Named("row of a league's database", number ->
             rows.check(number) == BrokenRows.Outcome.SEEN));
-        IncomingBytes incoming = new IncomingBytes(Files.createDirectory(folder.resolve("incoming")), seed);
-        targets.add(new Named("message of a worker", incoming::word));
-        targets.add(new Named("message of a league", incoming::league));
-        targets.add(new Named("job for a worker", incoming::job));
-        targets.add(new Named("bundle", incoming::bundle));
+        targets.addAll(incoming(folder, seed));
         BrokenTranscripts transcripts = new BrokenTranscripts();
         targets.add(new Named("game of a worker", number -> transcripts.check(
             new Mutations(new SplittableRandom(seed * 1_000_003 + number)).of(transcripts.sent()), number % 10 == 0)));
         return targets;
+    }
+
+    /** Files of all kinds, each kind in a folder of its own. */
+    static List<Named> files(Path folder, long seed) throws IOException {
+        List<Named> targets = new ArrayList<>();
+        for (Kind kind : BrokenInputs.kinds()) {
+            Path own = Files.createDirectory(folder.resolve("kind" + targets.size()));
+            targets.add(new Named(kind.name(), target(kind, own, seed)));
+        }
+        return targets;
+    }
+
+    private static Target target(Kind kind, Path folder, long seed) throws IOException {
+        BrokenInputs inputs = new BrokenInputs(folder, seed);
+        inputs.prepare(kind);
+        return number -> inputs.check(kind, inputs.broken(kind, number));
+    }
+
+    /** Answers and commands of bots. */
+    static List<Named> words(Path folder, long seed) {
+        BrokenInputs inputs = new BrokenInputs(folder, seed);
+        List<Named> targets = new ArrayList<>();
+        for (String answer : List.of("{\"pods\":[{\"x\":1,\"y\":2.5,\"thrust\":100}],\"message\":\"hello\"}",
+                "{\"pods\":[{\"x\":1,\"y\":2,\"shield\":true}]}", "1000 2000 100 hello", "1000 -20 SHIELD")) {
+            Protocol protocol = answer.startsWith("{") ? Protocol.JSON : Protocol.CODINGAME;
+            targets.add(new Named("answer " + answer, number -> inputs.answer(protocol, answer, number)));
+        }
+        targets.add(new Named("command of a bot", number -> inputs.command(COMMAND, number)));
+        return targets;
+    }
+
+    /** What comes from other machines. */
+    static List<Named> incoming(Path folder, long seed) throws IOException {
+        IncomingBytes incoming = new IncomingBytes(Files.createDirectory(folder.resolve("incoming")), seed);
+        return List.of(new Named("message of a worker", incoming::word), new Named("message of a league",
+            incoming::league), new Named("job for a worker", incoming::job), new Named("bundle", incoming::bundle));
     }
 
     private void run(Named each, long inputs, long nanos) throws IOException, InterruptedException {
