@@ -2,8 +2,6 @@ package steward.league;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNotNull;
-import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -141,34 +139,6 @@ class ScheduleTest {
         assertEquals(GAMES, league.games().size());
     }
 
-    @Test
-    void aBotThatComesLaterCatchesUp() {
-        MemoryLeague league = new MemoryLeague(2);
-        Schedule schedule = schedule(2, 8, 1, 2);
-        for (int k = 0; k < 10; k++) {
-            schedule.over(league.next(schedule, Long.MAX_VALUE));
-        }
-        schedule.play(List.of(1, 2, 3), versions -> Pairing.roundRobin(versions, 2));
-        for (int k = 0; k < 20; k++) {
-            Schedule.Task task = league.next(schedule, Long.MAX_VALUE);
-            assertTrue(Arrays.stream(task.lineup()).anyMatch(version -> version == 3), name(task));
-            schedule.over(task);
-        }
-    }
-
-    @Test
-    void noDecisionIsBegunWhileOneLagBackIsOpen() {
-        MemoryLeague league = new MemoryLeague(2, 100);
-        Schedule schedule = schedule(2, 3, 1, 2);
-        Schedule.Task first = league.next(schedule, Long.MAX_VALUE);
-        for (int k = 0; k < 5; k++) {
-            schedule.over(league.next(schedule, Long.MAX_VALUE));
-        }
-        assertNull(league.next(schedule, Long.MAX_VALUE));
-        schedule.over(first);
-        assertNotNull(league.next(schedule, Long.MAX_VALUE));
-    }
-
     /** One taker takes all games, the other none of bot 3: the games are the same, no decision is made too early. */
     @Test
     void whoCannotTakeSomeGamesTakesThoseBehindThem() {
@@ -215,17 +185,6 @@ class ScheduleTest {
             assertEquals(expected, games, () -> "seed " + seed);
         }
         assertTrue(ahead > 0, "games were taken out of order");
-    }
-
-    @Test
-    void aGameThatIsDroppedComesAgain() {
-        MemoryLeague league = new MemoryLeague(2);
-        Schedule schedule = schedule(2, 3, 1, 2);
-        Schedule.Task first = league.next(schedule, 2);
-        schedule.dropped(first);
-        assertEquals(Set.of("0 100 [1, 2]", "0 100 [2, 1]"), Set.of(name(league.next(schedule, 2)),
-            name(league.next(schedule, 2))));
-        assertNull(league.next(schedule, 2));
     }
 
     /** Random numbers of threads, games that end in random order, and interruptions that lose what is under way. */

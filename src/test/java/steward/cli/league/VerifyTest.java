@@ -22,6 +22,10 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.cli.Cli;
+import steward.cli.league.view.LeagueOpening;
+import steward.league.LeagueFolder;
+import steward.league.Season;
+import steward.league.store.GameStore;
 import steward.match.TestSize;
 import tools.jackson.databind.JsonNode;
 
@@ -117,6 +121,11 @@ class VerifyTest {
         assertEquals(List.of("second 26 1.0", "one 28 0.667", "mine 12 0.0", "mine#2 18 0.0"), table.get("bots")
             .valueStream().map(bot -> bot.get("name").stringValue() + " " + bot.get("games") + " "
                 + Math.round(1000 * bot.get("points").doubleValue()) / 1000.0).toList());
+        LeagueFolder goesOn = new LeagueFolder(earlier);
+        try (GameStore store = GameStore.read(goesOn)) {
+            assertEquals(Season.of(LeagueOpening.setup(goesOn, goesOn.read()), goesOn.read()).key(),
+                store.lastSeason().orElseThrow().key(), "its season is that of today's scene");
+        }
         Files.copy(copy, earlier.resolve("league.db"), StandardCopyOption.REPLACE_EXISTING);
         Cli.run("league", "verify", earlier.toString()).done();
         assertTrue(Files.exists(earlier.resolve("league.db.before-form-5-2")));

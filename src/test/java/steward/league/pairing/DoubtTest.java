@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -33,6 +34,18 @@ class DoubtTest {
         return new Ratings(IntStream.range(0, bots).boxed().toList(), RatingFit.of(bots, List.of(strata), false));
     }
 
+    /** Counts how often each group plays in so many decisions. */
+    private static Map<List<Integer>, Integer> count(Map<List<Integer>, Integer> games, AdaptivePairing pairing,
+                                                     int decisions) {
+        for (int decision = 0; decision < decisions; decision++) {
+            pairing.next(decision);
+            int[] group = pairing.choose(any -> true);
+            pairing.made(1, group);
+            games.merge(Arrays.stream(group).boxed().toList(), 1, Integer::sum);
+        }
+        return games;
+    }
+
     @Test
     void whoHappensToStandInTheMiddleDoesNotPlayMore() {
         // All three are in doubt, whoever is ahead by chance: they play a round robin. If only neighbours in the table
@@ -40,13 +53,7 @@ class DoubtTest {
         Ratings found = ratings(3, met(0, 1, 9, 20, 11), met(0, 2, 8, 20, 12), met(1, 2, 9, 20, 11));
         assertEquals(List.of(0, 1, 2), found.order());
         AdaptivePairing pairing = new AdaptivePairing(found.versions(), 2, 4, RULE, decision -> found);
-        Map<List<Integer>, Integer> games = new HashMap<>();
-        for (int decision = 0; decision < 300; decision++) {
-            pairing.next(decision);
-            int[] group = pairing.choose(any -> true);
-            pairing.made(1, group);
-            games.merge(List.of(group[0], group[1]), 1, Integer::sum);
-        }
+        Map<List<Integer>, Integer> games = count(new HashMap<>(), pairing, 300);
         games.values().forEach(each -> assertEquals(100, each, 5, games::toString));
     }
 
@@ -56,13 +63,7 @@ class DoubtTest {
         Map<List<Integer>, Integer> games = new HashMap<>();
         AdaptivePairing pairing = new AdaptivePairing(IntStream.range(0, 10).boxed().toList(), 3, 4, RULE,
             decision -> ratings(10, games.keySet().stream().map(DoubtTest::three).toArray(Stratum[]::new)));
-        for (int decision = 0; decision < 200; decision++) {
-            pairing.next(decision);
-            int[] group = pairing.choose(any -> true);
-            pairing.made(1, group);
-            games.merge(List.of(group[0], group[1], group[2]), 1, Integer::sum);
-        }
-        assertEquals(120, games.size());
+        assertEquals(120, count(games, pairing, 200).size());
     }
 
     /** Three of which each has beaten the others as often. */
@@ -114,13 +115,7 @@ class DoubtTest {
         Map<List<Integer>, Double> rest = found.parts(List.of(new int[] {0, 2}, new int[] {1, 2}));
         double roots = doubt.keySet().stream().mapToDouble(key -> Math.sqrt(doubt.get(key) + rest.get(key) / 4)).sum();
         AdaptivePairing pairing = new AdaptivePairing(found.versions(), 2, 4, RULE, decision -> found);
-        Map<List<Integer>, Integer> games = new HashMap<>();
-        for (int decision = 0; decision < 3000; decision++) {
-            pairing.next(decision);
-            int[] group = pairing.choose(any -> true);
-            pairing.made(1, group);
-            games.merge(List.of(group[0], group[1]), 1, Integer::sum);
-        }
+        Map<List<Integer>, Integer> games = count(new HashMap<>(), pairing, 3000);
         doubt.forEach((key, part) -> assertEquals(Math.sqrt(part + rest.get(key) / 4) / roots * 3000, games.get(key),
             10, games::toString));
         assertTrue(games.get(List.of(0, 1)) > 1.2 * games.get(List.of(0, 2)), games::toString);

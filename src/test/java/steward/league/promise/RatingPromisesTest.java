@@ -258,6 +258,21 @@ class RatingPromisesTest {
         PublishedTable.write("rating.md", "sprt", lines);
     }
 
+    /** 90% with alpha = beta = 0.05, at both hypotheses and between; beyond them at least so much. */
+    @Test
+    @Tag("sized")
+    void rangesHoldInNineOfTenTests() {
+        int trials = TestSize.of(100, 4000);
+        double chance = 4 * Math.sqrt(0.09 / trials);
+        for (Gsprt.Model model : Gsprt.Model.values()) {
+            for (double at : TestSize.isWhole() ? new double[] {-30, 0, 15, 30, 70, 150} : new double[] {0, 70}) {
+                double held = PlayedTests.of(new Gsprt(0, 30, 0.05, 0.05, model), trials, at, 0.3, 0, 0).held();
+                assertTrue(held > 0.88 - chance && held < (at < 0 || at > 30 ? 1 : 0.92) + chance,
+                    model + " at " + at + ": held in " + held);
+            }
+        }
+    }
+
     @Test
     @Tag("campaign")
     void adaptivePairingNeedsFewerGames() throws IOException {

@@ -16,6 +16,8 @@ import steward.league.Season;
 @Execution(ExecutionMode.CONCURRENT)
 class ComponentsTest {
 
+    private final Results results = results();
+
     private static Results results() {
         return new Results(Season.of("duel", "key", "limits", "rules", 2, false));
     }
@@ -31,14 +33,11 @@ class ComponentsTest {
     /** Two at 60:40, and a third that loses all: its games change neither ratings nor bars of the two. */
     @Test
     void aBotThatLosesEverythingWidensNoBar() {
-        Results two = results();
-        meet(two, 1, 2, 400, 240);
-        Results three = results();
-        meet(three, 1, 2, 400, 240);
-        meet(three, 1, 3, 400, 400);
-        meet(three, 2, 3, 400, 400);
-        Ratings alone = Ratings.of(two, List.of(1, 2));
-        Ratings found = Ratings.of(three, List.of(1, 2, 3));
+        meet(results, 1, 2, 400, 240);
+        Ratings alone = Ratings.of(results, List.of(1, 2));
+        meet(results, 1, 3, 400, 400);
+        meet(results, 2, 3, 400, 400);
+        Ratings found = Ratings.of(results, List.of(1, 2, 3));
         assertEquals(400 * Math.log10(1.5) / 2, found.rating(1).elo(), 1e-9);
         assertEquals(alone.rating(1).bar(), found.rating(1).bar(), 1e-9);
         assertEquals(alone.difference(1, 2).bar(), found.difference(1, 2).bar(), 1e-9);
@@ -54,7 +53,6 @@ class ComponentsTest {
     /** The second has not met the third, which lost to the first: it is below at most by the end of an anytime bar. */
     @Test
     void ofTwoThatHaveNotMetTheGamesOfOthersTellLess() {
-        Results results = results();
         meet(results, 1, 2, 400, 240);
         meet(results, 1, 3, 400, 400);
         Ratings found = Ratings.of(results, List.of(1, 2, 3));
@@ -68,7 +66,6 @@ class ComponentsTest {
     /** With one draw in 400 games the third is comparable; the bars of the two stay as they were, nearly. */
     @Test
     void aBotThatLosesNearlyEverythingWidensNoBarEither() {
-        Results results = results();
         meet(results, 1, 2, 400, 240);
         meet(results, 1, 3, 400, 400);
         meet(results, 2, 3, 399, 399);
@@ -83,7 +80,6 @@ class ComponentsTest {
 
     @Test
     void groupsThatNeverMetEachHaveTheirOwnZeroAndNothingBetweenThem() {
-        Results results = results();
         meet(results, 1, 2, 100, 60);
         meet(results, 3, 4, 100, 75);
         Ratings found = Ratings.of(results, List.of(1, 2, 3, 4));
@@ -101,9 +97,9 @@ class ComponentsTest {
     @Test
     void theLikelihoodOfSuperiorityOfWhoWonAllIsThatOfAChanceOfWhichNothingWasKnown() {
         for (int games : new int[] {1, 2, 5, 12}) {
-            Results results = results();
-            meet(results, 1, 2, games, games);
-            Ratings found = Ratings.of(results, List.of(1, 2));
+            Results all = results();
+            meet(all, 1, 2, games, games);
+            Ratings found = Ratings.of(all, List.of(1, 2));
             assertEquals(1 - Math.pow(0.5, games + 1), found.superiority(1, 2), 1e-12);
             assertEquals(Math.pow(0.5, games + 1), found.superiority(2, 1), 1e-12);
             // Surely better at both sides together, with 5%: 1/2^n of at most 0.025.
@@ -131,7 +127,6 @@ class ComponentsTest {
     /** An anchor's rating is as it is given, and bars are those of the differences to it. */
     @Test
     void anAnchorIsTheZero() {
-        Results results = results();
         meet(results, 1, 2, 400, 240);
         meet(results, 2, 3, 400, 220);
         meet(results, 1, 3, 400, 250);

@@ -58,14 +58,6 @@ class ResultsTest {
         assertEquals(1 / 3.0, three.points(3, 1), 1e-12);
         assertEquals(0, three.points(1, 2));
         assertEquals(2 / 3.0, three.points(2, 3), 1e-12);
-
-        Results alone = new Results(Season.of("race", "key", "limits", "rules", 1, true));
-        alone.addAlone(5, 1, 30.25);
-        alone.addAlone(5, 2, 30.25);
-        alone.addAlone(5, 3, 31);
-        assertEquals(1, alone.draws(1, 2));
-        assertEquals(0.5, alone.points(2, 1));
-        assertEquals(1, alone.points(2, 3));
     }
 
     /** Bots with equal ratings share a rank, and the next has that of its place. */

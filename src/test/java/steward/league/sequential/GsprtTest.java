@@ -10,7 +10,8 @@ import steward.numerics.SplitMix64;
 /** The test against values that others have published, and against closed forms. */
 class GsprtTest {
 
-    private static ScoreCounts counts(int games, long... counts) {
+    /** Counts of scores at equal distances from 0 to 1. @param games of an observation */
+    static ScoreCounts counts(int games, long... counts) {
         ScoreCounts scores = new ScoreCounts(games);
         for (int k = 0; k < counts.length; k++) {
             scores.add((double) k / (counts.length - 1), counts[k]);

@@ -14,22 +14,14 @@ import steward.numerics.SplitMix64;
 @Execution(ExecutionMode.CONCURRENT)
 class ScoreRangeTest {
 
-    private static ScoreCounts counts(long... counts) {
-        ScoreCounts scores = new ScoreCounts(2);
-        for (int k = 0; k < counts.length; k++) {
-            scores.add(k / 4.0, counts[k]);
-        }
-        return scores;
-    }
-
     @Test
     void whoWonAllHasABoundOnOneSide() {
         // The likelihood of 74 ones is m^74 where the mean is m, so that the range ends at m = exp(-t^2 / 2 / 74), with
         // 1.9930, Student's 97.5% of 73 degrees, from tables.
-        ScoreRange won = ScoreRange.of(counts(0, 0, 0, 0, 74));
+        ScoreRange won = ScoreRange.of(GsprtTest.counts(2, 0, 0, 0, 0, 74));
         assertEquals(Math.exp(-1.9930 * 1.9930 / 148), won.low(), 2e-4);
         assertEquals(1, won.high(), 1e-9);
-        ScoreRange lost = ScoreRange.of(counts(74, 0, 0, 0, 0));
+        ScoreRange lost = ScoreRange.of(GsprtTest.counts(2, 74, 0, 0, 0, 0));
         assertEquals(1 - won.low(), lost.high(), 1e-6);
         assertEquals(0, lost.low(), 1e-9);
     }
@@ -37,11 +29,11 @@ class ScoreRangeTest {
     @Test
     void ofManyEvenGamesItIsTheNormalBar() {
         // 100,000 seeds of two independent games without ties: the deviation of the mean is sqrt(1/8 / 100,000).
-        ScoreRange found = ScoreRange.of(counts(25_000, 0, 50_000, 0, 25_000));
+        ScoreRange found = ScoreRange.of(GsprtTest.counts(2, 25_000, 0, 50_000, 0, 25_000));
         assertEquals(0.5 + 1.96 * Math.sqrt(0.125 / 100_000), found.high(), 1e-6);
         assertEquals(0.5 - 1.96 * Math.sqrt(0.125 / 100_000), found.low(), 1e-6);
-        assertEquals(0.5, ScoreRange.superiority(counts(25_000, 0, 50_000, 0, 25_000)), 1e-12);
-        assertEquals(0.975, ScoreRange.superiority(counts(24_781, 0, 50_000, 0, 25_219)), 2e-3);
+        assertEquals(0.5, ScoreRange.superiority(GsprtTest.counts(2, 25_000, 0, 50_000, 0, 25_000)), 1e-12);
+        assertEquals(0.975, ScoreRange.superiority(GsprtTest.counts(2, 24_781, 0, 50_000, 0, 25_219)), 2e-3);
     }
 
     /** Half the seeds favour either bot: games of a seed go alike, and a range that counts them apart is too narrow. */
