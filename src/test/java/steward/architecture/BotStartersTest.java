@@ -12,6 +12,8 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import picocli.CommandLine;
 import steward.cli.Main;
 import steward.cli.streams.Streams;
@@ -42,9 +44,6 @@ class BotStartersTest {
         Map.entry("steward.league.play.KeptGames", Games.BY_ITS_CALLERS),
         Map.entry("steward.machines.worker.BotTrial", Games.OWN),
         Map.entry("steward.machines.worker.JobPlay", Games.OWN)));
-
-    /** Commands that other tools call with programs of theirs, and those whose words are names of a league's bots. */
-    private static final Set<String> WITHOUT_FOLDER = new TreeSet<>(Set.of("games", "help", "play", "prune"));
 
     private static Set<String> callersOf(Class<?> type, String method) {
         return HouseClasses.all().stream().filter(each -> !each.getPackageName().startsWith("steward.lab"))
@@ -91,29 +90,23 @@ class BotStartersTest {
         command.getSubcommands().values().forEach(each -> addWithBots(each, option, with, without));
     }
 
-    @Test
-    void everyCommandThatTakesABotTakesItsFolder() {
+    /**
+     * The folder of a bot and its deadlines. Without a folder are commands that other tools call with programs of
+     * theirs, and those whose words are names of a league's bots; deadlines of a league stand with its bots, and feed
+     * has none.
+     */
+    @ParameterizedTest
+    @CsvSource({"--in, add check feed match seeds sprt tune, games help play prune",
+        "--time-limit, add check match play seeds sprt tune, feed games help prune"})
+    void everyCommandThatTakesABotTakesWhatBelongsToOne(String option, String having, String lacking) {
         Set<String> with = new TreeSet<>();
         Set<String> without = new TreeSet<>();
-        addWithBots(program(), "--in", with, without);
-        assertEquals(new TreeSet<>(Set.of("add", "check", "feed", "match", "seeds", "sprt", "tune")), with);
-        assertEquals(WITHOUT_FOLDER, without);
-    }
-
-    private static CommandLine program() {
-        return Main.program(new Streams(OutputStream.nullOutputStream(), OutputStream.nullOutputStream(), false, false),
-            null);
-    }
-
-    /** Commands with deadlines; those of a league stand with its bots, and feed has none. */
-    @Test
-    void everyCommandWithDeadlinesTakesThoseOfOneBot() {
-        Set<String> with = new TreeSet<>();
-        Set<String> without = new TreeSet<>();
-        addWithBots(program(), "--time-limit", with, without);
-        assertEquals(new TreeSet<>(Set.of("add", "check", "match", "play", "seeds", "sprt", "tune")), with);
-        assertEquals(new TreeSet<>(Set.of("feed", "games", "help", "prune")), without);
-        program().getSubcommands().forEach((name, command) -> assertEquals(
+        CommandLine program = Main.program(new Streams(OutputStream.nullOutputStream(),
+            OutputStream.nullOutputStream(), false, false), null);
+        addWithBots(program, option, with, without);
+        assertEquals(having, String.join(" ", with));
+        assertEquals(lacking, String.join(" ", without));
+        program.getSubcommands().forEach((name, command) -> assertEquals(
             command.getCommandSpec().findOption("--time-factor") != null,
             command.getCommandSpec().findOption("--time-limit") != null, name));
     }

@@ -99,6 +99,13 @@ class OutsideGameTest {
         return "sh -c 'while read line; do echo \"{\\\"x\\\":" + x + ",\\\"y\\\":-2}\"; done'";
     }
 
+    private static String league(String name) {
+        String league = folder.resolve(name).toString();
+        assertEquals("", call(games, "league", "init", league, "--scene", scene.toString()).err());
+        call(games, "league", "add", league, "one=" + bot(1), "two=" + bot(2)).done();
+        return league;
+    }
+
     @Test
     void isPlayedDrawnAndVerified() throws IOException {
         Path replay = play("played.jsonl");
@@ -125,11 +132,8 @@ class OutsideGameTest {
 
     @Test
     void aLeagueEndsItsSeasonWithTheJar() throws IOException {
-        String league = folder.resolve("league").toString();
-        assertEquals("", call(games, "league", "init", league, "--scene", scene.toString()).err());
-        call(games, "league", "add", league, "one=" + bot(1));
-        call(games, "league", "add", league, "two=" + bot(2));
-        Cli run = call(games, "league", "run", league, "--games", "4").done();
+        String league = league("league");
+        call(games, "league", "run", league, "--games", "4").done();
         Path others = Files.createDirectories(folder.resolve("changed"));
         pack(others.resolve("sumo.jar"), folder.resolve("classes"), "changed");
         call(others, "league", "run", league, "--games", "8").assertRefused("the files of the game are others");
@@ -138,11 +142,8 @@ class OutsideGameTest {
     @Test
     @Tag("slow")
     void aWorkerPlaysOnlyWithTheJar() throws Exception {
-        String league = folder.resolve("served").toString();
+        String league = league("served");
         String token = folder.resolve("far.token").toString();
-        assertEquals("", call(games, "league", "init", league, "--scene", scene.toString()).err());
-        call(games, "league", "add", league, "one=" + bot(1));
-        call(games, "league", "add", league, "two=" + bot(2));
         SharedBrokerKey.put(new LeagueFolder(Path.of(league)));
         call(games, "league", "worker", "add", league, "far", "--out", token);
         String address = "127.0.0.1:" + FreePort.next();
@@ -158,7 +159,7 @@ class OutsideGameTest {
         assertEquals(ExitStatus.REFUSED, other.status(), other.err());
         assertTrue(other.err().contains("found the jar sha256:"), other.err());
         worker(games, address, token, "--games", "4").done();
-        Cli served = run.get(60, TimeUnit.SECONDS).done();
+        Cli served = run.get(300, TimeUnit.SECONDS).done();
         String told = served.out() + served.err();
         assertTrue(told.contains("worker far: found no jar of the league's game, expected sha256:"), told);
         assertTrue(told.contains("worker far: found the jar sha256:"), told);

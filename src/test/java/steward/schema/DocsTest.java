@@ -12,9 +12,11 @@ import java.util.List;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.architecture.SourceText;
 import steward.replay.ReplayHeader;
 
 /**
@@ -169,6 +171,21 @@ class DocsTest {
             }
         }
         assertTrue(lines <= MANUAL_LINES, "docs/*.md have " + lines + " lines, expected at most " + MANUAL_LINES);
+    }
+
+    /** The version of the build has notes, and is the one that other builds are told to depend on. */
+    @Test
+    void theVersionIsTheSameWhereverItStands() {
+        String version = found("^version = '([^']+)'$", "build.gradle").findFirst().orElseThrow();
+        assertEquals(version, found("^## \\[([^\\]]+)\\] - \\d{4}-\\d\\d-\\d\\d$", "CHANGELOG.md").findFirst()
+            .orElseThrow());
+        assertEquals(List.of(version), found("steward(?:-engine)?(?::|</artifactId><version>)(\\d[\\w.]*)",
+            "docs/library.md").distinct().toList());
+    }
+
+    private static Stream<String> found(String pattern, String file) {
+        return Pattern.compile(pattern, Pattern.MULTILINE).matcher(SourceText.of(file)).results()
+            .map(found -> found.group(1));
     }
 
     @Test

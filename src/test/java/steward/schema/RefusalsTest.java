@@ -10,6 +10,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import steward.bot.AlteredBot;
 import steward.match.SeededBot;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
@@ -22,9 +23,9 @@ class RefusalsTest {
 
     @BeforeAll
     static void playMatch() {
-        HeardBot listening = new HeardBot(new SeededBot(1, 0.5), Integer.MAX_VALUE);
+        AlteredBot listening = new AlteredBot(new SeededBot(1, 0.5), (turn, answer) -> answer);
         replay = Recorded.of(TestScenes.open("walled-race"), 2, List.of(listening, new SeededBot(2, 0.5))).lines();
-        frames = listening.lines().stream().filter(line -> line.startsWith("{\"type\":")).toList();
+        frames = listening.sent();
     }
 
     private static String valid(String what) {
