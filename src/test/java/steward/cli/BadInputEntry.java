@@ -1,8 +1,12 @@
 package steward.cli;
 
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -38,8 +42,18 @@ record BadInputEntry(String command, String call, List<String> recipe, List<Stri
 
     private static final String CALL = "$ ";
 
+    /** The entries of a file of resources. */
+    static List<BadInputEntry> load(String folder, String command) {
+        try (InputStream in = BadInputEntry.class.getResourceAsStream("/" + folder + "/" + command + ".txt")) {
+            assertTrue(in != null, () -> "there is no file " + folder + "/" + command + ".txt");
+            return read(command, new String(in.readAllBytes(), StandardCharsets.UTF_8));
+        } catch (IOException problem) {
+            throw new UncheckedIOException(problem);
+        }
+    }
+
     /** The entries of a file, as they stand there; they are apart by empty lines. */
-    static List<BadInputEntry> read(String command, String text) {
+    private static List<BadInputEntry> read(String command, String text) {
         List<BadInputEntry> entries = new ArrayList<>();
         for (String block : text.split("\n\n+")) {
             List<String> lines = block.lines().filter(line -> !line.startsWith("#")).toList();

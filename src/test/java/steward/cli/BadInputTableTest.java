@@ -6,8 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -55,12 +53,7 @@ class BadInputTableTest {
     private Path folder;
 
     private static List<BadInputEntry> entries(String command) {
-        try (InputStream in = BadInputTableTest.class.getResourceAsStream("/bad-input/" + command + ".txt")) {
-            assertTrue(in != null, () -> "there is no table of bad inputs of the command " + command);
-            return BadInputEntry.read(command, new String(in.readAllBytes(), StandardCharsets.UTF_8));
-        } catch (IOException problem) {
-            throw new AssertionError(problem);
-        }
+        return BadInputEntry.load("bad-input", command);
     }
 
     static Stream<BadInputEntry> table() {

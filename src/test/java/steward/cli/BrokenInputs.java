@@ -17,8 +17,8 @@ import java.util.SplittableRandom;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
+import steward.bot.TestBots;
 import steward.bot.command.BotCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
@@ -327,32 +327,11 @@ final class BrokenInputs {
         }
     }
 
+    /** The fault of the first answer; later ones are no answers. */
     private static String fault(GameSetup setup, Protocol protocol, String answer) throws InterruptedException {
-        List<Seat> seats = List.of(new Seat(new InProcessPlayer("a", new Once(answer)), protocol),
-            new Seat(new InProcessPlayer("b", new Once("nonsense")), protocol));
+        List<Seat> seats = Stream.of(answer, "nonsense").map(first -> new Seat(new InProcessPlayer("a",
+            TestBots.byTurn(turn -> turn == 1 ? first : "nonsense")), protocol)).toList();
         MatchResult result = Referee.of(setup, 7, seats, TimeControl.UNLIMITED, new MatchListener() { }).play();
         return result.players().get(0).answers() == 1 ? result.players().get(0).fault() : null;
-    }
-
-    /** Answers once, then never well again. */
-    private static final class Once implements Bot {
-
-        private String answer;
-
-        Once(String answer) {
-            this.answer = answer;
-        }
-
-        @Override
-        public void setup(String line) {
-            return;
-        }
-
-        @Override
-        public String turn(String line) {
-            String said = answer;
-            answer = "nonsense";
-            return said;
-        }
     }
 }

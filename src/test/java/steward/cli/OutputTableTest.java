@@ -1,12 +1,9 @@
 package steward.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -61,13 +58,6 @@ class OutputTableTest {
     @TempDir
     private Path folder;
 
-    private static List<BadInputEntry> calls(String name) throws IOException {
-        try (InputStream in = OutputTableTest.class.getResourceAsStream("/outputs/" + name + ".txt")) {
-            assertTrue(in != null, name);
-            return BadInputEntry.read(name, new String(in.readAllBytes(), StandardCharsets.UTF_8));
-        }
-    }
-
     @ParameterizedTest
     @ValueSource(strings = {"bodies", "failures", "leagues", "match", "matches", "replays", "runs", "sequential",
         "tools"})
@@ -84,7 +74,7 @@ class OutputTableTest {
 
     private void compare(String name) throws IOException {
         assumeTrue(ShellBots.runnable(), "there is no /bin/sh");
-        for (BadInputEntry entry : calls(name)) {
+        for (BadInputEntry entry : BadInputEntry.load("outputs", name)) {
             assertEquals(String.join("\n", entry.expected()), String.join("\n", output(entry, folder.toRealPath())),
                 entry.call());
         }
@@ -136,7 +126,7 @@ class OutputTableTest {
         for (String name : FILES) {
             Path own = Files.createDirectory(folder.resolve(name)).toRealPath();
             List<String> blocks = new ArrayList<>();
-            for (BadInputEntry entry : calls(name)) {
+            for (BadInputEntry entry : BadInputEntry.load("outputs", name)) {
                 blocks.add(entry.text(output(entry, own)));
             }
             Files.writeString(target.resolve(name + ".txt"), String.join("\n", blocks));

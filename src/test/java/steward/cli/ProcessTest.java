@@ -30,9 +30,7 @@ public class ProcessTest {
     }
 
     public static String steward(String... arguments) {
-        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-        return CommandLine.quote(List.of(java, "-XX:TieredStopAtLevel=1", "-cp",
-            System.getProperty("java.class.path"), Main.class.getName())) + " " + CommandLine.quote(List.of(arguments));
+        return CommandLine.quote(Cli.jvm(Main.class)) + " " + CommandLine.quote(List.of(arguments));
     }
 
     /** Runs a line of shell; what it writes to either stream, then its status. */

@@ -1,20 +1,15 @@
 package steward.cli;
 
-import java.io.ByteArrayOutputStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import steward.bot.AlteredBot;
 import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
-import steward.bot.Player;
 import steward.cli.shared.Games;
 import steward.game.GameSetup;
 import steward.match.MatchResult;
-import steward.match.Referee;
-import steward.match.TimeControl;
-import steward.replay.ReplayHeader;
-import steward.replay.ReplayWriter;
 
 /**
  * A match of in-process bots with its replay.
@@ -23,50 +18,34 @@ import steward.replay.ReplayWriter;
  * @param sent   per player the lines it was sent, each with its line end
  * @param result how it ended
  */
-public record Recorded(byte[] bytes, List<StringBuilder> sent, MatchResult result) {
+public record Recorded(byte[] bytes, List<String> sent, MatchResult result) {
 
     private static final Pattern CHECKPOINT = Pattern.compile("\\{\"x\":(\\d+),\"y\":(\\d+)\\}");
 
     /** Drives from checkpoint to checkpoint with one pod, or only stands. */
     private static final class Pilot implements Bot {
 
-        private final StringBuilder sent;
-        private final boolean standing;
-        private final int failing;
+        private final int thrust;
         private final List<String> checkpoints = new ArrayList<>();
         private int player;
         private int turn;
 
-        Pilot(StringBuilder sent, boolean standing, int failing) {
-            this.sent = sent;
-            this.standing = standing;
-            this.failing = failing;
+        Pilot(int thrust) {
+            this.thrust = thrust;
         }
 
         @Override
         public void setup(String line) {
-            sent.append(line).append('\n');
-            Matcher checkpoint = CHECKPOINT.matcher(line);
-            while (checkpoint.find()) {
-                checkpoints.add("\"x\":" + checkpoint.group(1) + ",\"y\":" + checkpoint.group(2));
-            }
+            CHECKPOINT.matcher(line).results().forEach(checkpoint ->
+                checkpoints.add("\"x\":" + checkpoint.group(1) + ",\"y\":" + checkpoint.group(2)));
             player = number(line, "\"player\":(\\d+)");
         }
 
         @Override
         public String turn(String line) {
-            sent.append(line).append('\n');
-            if (++turn == failing) {
-                return "nonsense";
-            }
             int next = number(line, "\"player\":" + player + ",.*?\"nextCheckpoint\":(\\d+)");
-            return "{\"pods\":[{" + checkpoints.get(next) + ",\"thrust\":" + (standing ? 0 : 120) + "}],\"message\":\"t"
-                + turn + "\"}";
-        }
-
-        @Override
-        public void end(String line) {
-            sent.append(line).append('\n');
+            return "{\"pods\":[{" + checkpoints.get(next) + ",\"thrust\":" + thrust + "}],\"message\":\"t" + ++turn
+                + "\"}";
         }
 
         private static int number(String line, String pattern) {
@@ -88,23 +67,17 @@ public record Recorded(byte[] bytes, List<StringBuilder> sent, MatchResult resul
      * @param failing the turn of the failure
      */
     public static Recorded play(GameSetup setup, long seed, String ways, int failing) {
-        ByteArrayOutputStream file = new ByteArrayOutputStream();
-        List<StringBuilder> sent = new ArrayList<>();
-        List<Player> players = new ArrayList<>();
-        List<String> names = new ArrayList<>();
-        for (int k = 0; k < ways.length(); k++) {
-            sent.add(new StringBuilder());
-            names.add("pilot-" + k);
-            players.add(new InProcessPlayer(names.get(k),
-                new Pilot(sent.get(k), ways.charAt(k) == 's', ways.charAt(k) == 'f' ? failing : 0)));
+        List<AlteredBot> bots = new ArrayList<>();
+        List<InProcessPlayer> players = new ArrayList<>();
+        for (char way : ways.toCharArray()) {
+            AlteredBot bot = new AlteredBot(new Pilot(way == 's' ? 0 : 120), way == 'f' ? failing : 0,
+                answer -> "nonsense");
+            players.add(new InProcessPlayer("pilot-" + bots.size(), bot));
+            bots.add(bot);
         }
-        ReplayWriter writer = new ReplayWriter(file, new ReplayHeader(setup.scene().gameId(), setup.scene().json(),
-            seed, names, names, Double.POSITIVE_INFINITY).ofLaw(setup.plan().lawVersion()));
-        try {
-            MatchResult result = new Referee(setup, seed, players, TimeControl.UNLIMITED, writer).play();
-            return new Recorded(file.toByteArray(), sent, result);
-        } catch (InterruptedException problem) {
-            throw new AssertionError(problem);
-        }
+        steward.replay.Recorded played = steward.replay.Recorded.ofPlayers(setup, seed, players,
+            players.stream().map(InProcessPlayer::name).toList());
+        return new Recorded(played.bytes(), bots.stream().map(bot -> String.join("\n", bot.sent()) + "\n").toList(),
+            played.result());
     }
 }

@@ -59,7 +59,8 @@ public record Recorded(byte[] bytes, MatchResult result) {
     }
 
     /** Given players play a scene. */
-    static Recorded ofPlayers(GameSetup setup, long seed, List<? extends Player> players, List<String> names) {
+    public static Recorded ofPlayers(GameSetup setup, long seed, List<? extends Player> players,
+                                     List<String> names) {
         return ofPlayers(setup, seed, players, names, null);
     }
 

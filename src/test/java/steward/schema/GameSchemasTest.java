@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import steward.bot.Bot;
+import steward.bot.TestBots;
 import steward.bots.BundledBots;
 import steward.bots.LineBot;
 import steward.bots.fantasticbits.Captain;
@@ -111,27 +112,17 @@ class GameSchemasTest {
     void aMatchWithAFaultIsValid(String game, String odd, String even, String fifth, String problem) {
         GameSetup setup = game.equals(Schemas.POKER_CHIP_RACE)
             ? TestScenes.changed(game, "\"players\": 2", "\"players\": 3") : TestScenes.open(game);
-        Bot failing = new Bot() {
-
-            private int turn;
-
-            @Override
-            public void setup(String line) {
-                turn = 0;
+        int[] turns = new int[1];
+        Bot failing = TestBots.answering(line -> {
+            String answer = ++turns[0] == 5 ? fifth : turns[0] % 2 == 1 ? odd : even;
+            int each = answer.indexOf("EACH");
+            if (each < 0) {
+                return answer;
             }
-
-            @Override
-            public String turn(String line) {
-                String answer = ++turn == 5 ? fifth : turn % 2 == 1 ? odd : even;
-                int each = answer.indexOf("EACH");
-                if (each < 0) {
-                    return answer;
-                }
-                int own = line.substring(line.indexOf("\"own\":["), line.indexOf(']')).split(",").length;
-                String chip = answer.substring(each + 4, answer.indexOf(']'));
-                return answer.replace("EACH" + chip, (chip + ",").repeat(own - 1) + chip);
-            }
-        };
+            int own = line.substring(line.indexOf("\"own\":["), line.indexOf(']')).split(",").length;
+            String chip = answer.substring(each + 4, answer.indexOf(']'));
+            return answer.replace("EACH" + chip, (chip + ",").repeat(own - 1) + chip);
+        });
         List<Bot> bots = new ArrayList<>(List.of(failing));
         while (bots.size() < setup.create(4).players()) {
             bots.add(BundledBots.of(switch (game) {
@@ -149,15 +140,8 @@ class GameSchemasTest {
     /** A fault in its fifth turn is worth the score of a race that is lost. */
     @Test
     void aFaultOfASearchRaceHasItsScore() {
-        Recorded match = Recorded.of(TestScenes.open("search-race"), 4, List.of(new Bot() {
-            @Override
-            public void setup(String line) { }
-
-            @Override
-            public String turn(String line) {
-                return "left!";
-            }
-        }));
+        Recorded match = Recorded.of(TestScenes.open("search-race"), 4,
+            List.of(TestBots.answering(line -> "left!")));
         assertEquals(1000, match.result().players().get(0).score());
         assertEquals(Recorded.whole(1), match.verify());
     }

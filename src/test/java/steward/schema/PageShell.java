@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import steward.bot.command.CommandLine;
+import steward.cli.Cli;
 import steward.cli.Main;
 
 /** Shell that runs lines of pages in a folder, in whose {@code bin} is the program. */
@@ -35,9 +36,7 @@ final class PageShell {
             folders.append(File.pathSeparatorChar).append(one.toAbsolutePath().normalize());
         }
         path = folders.append(File.pathSeparatorChar).append(System.getenv("PATH")).toString();
-        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-        String program = CommandLine.quote(List.of(java, "-XX:TieredStopAtLevel=1", "-cp",
-            System.getProperty("java.class.path"), Main.class.getName()));
+        String program = CommandLine.quote(Cli.jvm(Main.class));
         executable("bin/steward", before + "exec " + program + " \"$@\"\n");
     }
 

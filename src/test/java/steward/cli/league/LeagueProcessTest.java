@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -54,19 +53,11 @@ class LeagueProcessTest {
     }
 
     private Process start(Path out, String... arguments) throws IOException {
-        List<String> command = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java")
-            .toString(), "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC",
-            "--enable-native-access=ALL-UNNAMED", "-Djava.io.tmpdir="
-            + Files.createDirectories(folder.resolve("tmp")), "-cp", absolute(), Main.class.getName()));
+        List<String> command = new ArrayList<>(Cli.jvm(Main.class, "-Djava.io.tmpdir="
+            + Files.createDirectories(folder.resolve("tmp"))));
         command.addAll(List.of(arguments));
         return new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true)
             .redirectOutput(out.toFile()).start();
-    }
-
-    private static String absolute() {
-        return Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
-            .map(part -> Path.of(part).toAbsolutePath().toString())
-            .reduce((one, other) -> one + File.pathSeparator + other).orElseThrow();
     }
 
     /** Makes a league, in this JVM: each start of Java takes a second. */
@@ -187,10 +178,7 @@ class LeagueProcessTest {
                 "--out", "games"),
             List.of("replay", "games/game-0001.jsonl", "--verify"), List.of("explain", "short.json"),
             List.of("--help"), List.of("league", "table", "none"), List.of("league", "run", "league", "--games", "1"));
-        List<String> words = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xlog:class+load",
-            "--enable-native-access=ALL-UNNAMED", "-cp", absolute(),
-            SeveralCalls.class.getName()));
+        List<String> words = new ArrayList<>(Cli.jvm(SeveralCalls.class, "-Xlog:class+load"));
         words.addAll(SeveralCalls.words(calls));
         int status = new ProcessBuilder(words).directory(folder.toFile()).redirectErrorStream(true)
             .redirectOutput(out.toFile()).start().waitFor();

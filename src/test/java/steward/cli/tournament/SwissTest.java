@@ -3,7 +3,6 @@ package steward.cli.tournament;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,7 +11,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -82,10 +80,7 @@ class SwissTest {
         Path go = folder.resolve("go");
         programs.add("b", "9000", "if [ ! -e '" + go + "' ] && grep -q '}, *{\\|},{' '" + rounds() + "' 2>/dev/null; then\n"
             + "touch '" + waits + "'; while [ ! -e '" + go + "' ]; do sleep 0.1; done; fi\n");
-        List<String> call = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-cp", Stream.of(System.getProperty("java.class.path")
-                .split(File.pathSeparator)).map(part -> Path.of(part).toAbsolutePath().toString())
-                .reduce((one, other) -> one + File.pathSeparator + other).orElseThrow(), Main.class.getName()));
+        List<String> call = new ArrayList<>(Cli.jvm(Main.class));
         call.addAll(programs.words(options(3)));
         Process killed = new ProcessBuilder(call).redirectErrorStream(true)
             .redirectOutput(folder.resolve("killed.txt").toFile()).start();
