@@ -149,13 +149,13 @@ class ResubmissionTest {
         programs.add("b", "9000", "");
         programs.add("c+", "4000", "");
         played(6, "a", "b", "c");
-        programs.add("c-", "4001", "");                     // the second of one name: it is c-2, also when the first is gone
+        programs.add("c-", "4001", "");            // the second of one name: it is c-2, also when the first is gone
         played(6, "a", "b", "c", "c-2");
         delete("c+");
         played(0, "a", "b", "c-2");
         programs.add("a", "5", "");
         played(4, "a", "b", "c-2");
-        programs.add("a", "1", "");                         // put back: its games with b count again, those with c-2, too
+        programs.add("a", "1", "");                // put back: its games with b count again, those with c-2, too
         Cli cli = call();
         assertTrue(cli.out().startsWith("0 games"), cli.out());
         assertEquals(List.of("a", "b", "c-2"), List.copyOf(rows().keySet()));

@@ -78,8 +78,8 @@ class SwissTest {
     void aRoundThatWasKilledGoesOnAsDecided() throws IOException, InterruptedException {
         Path waits = folder.resolve("waits");
         Path go = folder.resolve("go");
-        programs.add("b", "9000", "if [ ! -e '" + go + "' ] && grep -q '}, *{\\|},{' '" + rounds() + "' 2>/dev/null; then\n"
-            + "touch '" + waits + "'; while [ ! -e '" + go + "' ]; do sleep 0.1; done; fi\n");
+        programs.add("b", "9000", "if [ ! -e '" + go + "' ] && grep -q '}, *{\\|},{' '" + rounds()
+            + "' 2>/dev/null; then\ntouch '" + waits + "'; while [ ! -e '" + go + "' ]; do sleep 0.1; done; fi\n");
         List<String> call = new ArrayList<>(Cli.jvm(Main.class));
         call.addAll(programs.words(options(3)));
         Process killed = new ProcessBuilder(call).redirectErrorStream(true)
