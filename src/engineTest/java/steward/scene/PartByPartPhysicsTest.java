@@ -26,9 +26,9 @@ import steward.physics.PhysicsParts;
 /** A turn put together part by part; and what a turn without a part is made of. */
 class PartByPartPhysicsTest {
 
-    /** The classes that search for impacts, collect them, apply them and compute their impulses. */
-    private static final Set<String> ROLES = Set.of("Scan", "ImpactQueue", "ContactResponse", "Impulse", "Wall",
-        "PairSelection");
+    /** The classes that search for impacts, let them happen in turn, apply them and compute their impulses. */
+    private static final Set<String> ROLES = Set.of("Scan", "EventLoop", "BatchLoop", "ContactResponse", "Impulse",
+        "Wall", "PairSelection");
 
     private static GameSetup open(String scene, String rung) {
         return new GameTypes(List.of(new PodRaceType())).open(
@@ -68,7 +68,7 @@ class PartByPartPhysicsTest {
     @Test
     void partsThatTheSceneDoesNotHaveAreNotInTheTurn() {
         assertEquals("""
-            flying straight: +Bounce +Elastic +OneAtATime +PairSelection
+            flying straight: +Bounce +Elastic +EventLoop +PairSelection
             pair impacts: +Pairs -PairSelection
             walls: +HalfPlane +Walls
             restitution: +Restituted -Elastic
@@ -78,7 +78,7 @@ class PartByPartPhysicsTest {
             velocity rounding:
             position rounding:
             push-out:
-            batch window: +WithinWindow
+            batch window: +BatchLoop -EventLoop
             reactions: +Ask -Bounce
             """, changes(steps("walled-race", "event/double")));
     }

@@ -32,13 +32,13 @@ final class BatchLoop {
         if (parts.arithmetic().isExact()) {
             ExactPairs pairs = new ExactPairs(law);
             ExactWalls wallTimes = new ExactWalls(walls);
-            RefiningQueue refining = new RefiningQueue(law, pairs, wallTimes, parts.contacts());
+            ExactImpactQueue exactQueue = new ExactImpactQueue(parts, pairs, wallTimes);
             scans = Scan.of(parts, pairs, wallTimes);
-            queue = refining;
-            flight = new Flight(refining, lows);
+            queue = exactQueue;
+            flight = new Flight(exactQueue, lows);
         } else {
             scans = Scan.of(parts, PairTime.of(law, parts.arithmetic()));
-            queue = ImpactQueue.of(law);
+            queue = new ImpactQueue(law);
             flight = new Flight(null, lows);
         }
         response = ContactResponse.of(parts, Collision.of(law, parts.arithmetic(), walls, lows, null), walls);

@@ -101,7 +101,8 @@ final class EventLoop {
 
     private void react(int body, int partner, double now) {
         flights.flyToImpact(body, partner, now);
-        if (leavesOthers(body, partner, now)) {
+        flights.show(body, partner);
+        if (leavesOthers(now)) {
             flights.predictAfter(body, partner, now);
         }
     }
@@ -116,22 +117,22 @@ final class EventLoop {
             int body = together.a(done);
             int partner = together.b(done);
             flights.flyToImpact(body, partner, now);
+            flights.show(body, partner);
             if (done > 0) {
-                if (!flights.areApproaching(body, partner)) {
+                if (!together.areApproaching(flights.shown(), flights.a(), flights.b())) {
                     continue;
                 }
                 left--;
             }
-            if (!leavesOthers(body, partner, now)) {
+            if (!leavesOthers(now)) {
                 return;
             }
         }
         flights.predictAfter(together, done, now);
     }
 
-    /** Lets a heap rest, or the two of an impact react. @return false if the flights of all bodies began anew */
-    private boolean leavesOthers(int body, int partner, double now) {
-        flights.show(body, partner);
+    /** Lets a heap rest, or the two that are shown react. @return false if the flights of all bodies began anew */
+    private boolean leavesOthers(double now) {
         if (!(rest != null && settles(now)) && respond(now)) {
             flights.take();
             return true;

@@ -19,14 +19,14 @@ import steward.physics.time.LowParts;
 final class Flight {
 
     /** {@code null} in plain doubles. */
-    private final RefiningQueue queue;
+    private final ExactImpactQueue queue;
     private final LowParts low;
     private final DoubleDouble now = new DoubleDouble();
     private final DoubleDouble time = new DoubleDouble();
     /** True if low parts may differ from 0. */
     private boolean lowPartsSet;
 
-    Flight(RefiningQueue queue, LowParts low) {
+    Flight(ExactImpactQueue queue, LowParts low) {
         this.queue = queue;
         this.low = low;
     }
@@ -47,7 +47,7 @@ final class Flight {
             EventAdvance.fly(bodies, chosen.time(0) - start);
             return chosen.time(0);
         }
-        queue.until(0, time);
+        queue.untilFirst(time);
         if (time.high() != 0) {
             lowPartsSet = true;
             fly(bodies);

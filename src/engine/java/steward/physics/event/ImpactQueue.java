@@ -4,135 +4,95 @@ import java.util.Arrays;
 import steward.physics.ImpactLaw;
 import steward.physics.time.SimultaneousImpacts;
 
-/** Queue of the predicted impacts of a scan, which selects those that happen next. */
-abstract sealed class ImpactQueue permits ImpactQueue.OneAtATime, ImpactQueue.WithinWindow, RefiningQueue {
+/**
+ * Queue of the predicted impacts of a scan, in the order of time. Impacts within a window of the earliest happen
+ * together, ties in the order of the scan; or impacts happen one at a time, and ties go to the lowest pair, bodies
+ * before walls. An impact that is offered after an earlier one of which it is out of the window is not kept.
+ */
+sealed class ImpactQueue permits ExactImpactQueue {
+
+    private final boolean batched;
+    private final double window;
+    private double[] times = new double[16];
+    private double[] lows = new double[16];
+    private int[] firsts = new int[16];
+    private int[] seconds = new int[16];
+    private int size;
+
+    /** @param batched whether impacts happen together; otherwise the window is 0 */
+    ImpactQueue(boolean batched, double window) {
+        this.batched = batched;
+        this.window = window;
+    }
+
+    ImpactQueue(ImpactLaw law) {
+        this(law.batchWindow() > 0, law.batchWindow());
+    }
+
+    void clear() {
+        size = 0;
+    }
 
     /** Offers an impact at an absolute time within the turn; b is an index, or {@code ~wall}. */
-    abstract void offer(double time, int a, int b);
-
-    abstract void clear();
-
-    /** Selects the impacts that happen next and puts them first. @return how many; 0 if none was offered */
-    abstract int nextBatch();
-
-    abstract double time(int k);
-
-    abstract int a(int k);
-
-    abstract int b(int k);
-
-    static ImpactQueue of(ImpactLaw law) {
-        return law.batchWindow() > 0 ? new WithinWindow(law.batchWindow()) : new OneAtATime();
-    }
-
-    /** Keeps the earliest impact; ties go to the lowest pair, bodies before walls. */
-    static final class OneAtATime extends ImpactQueue {
-
-        private double time;
-        private int a;
-        private int b;
-
-        @Override
-        void offer(double candidateTime, int candidateA, int candidateB) {
-            if (candidateTime < time || candidateTime == time && isLower(candidateA, candidateB)) {
-                time = candidateTime;
-                a = candidateA;
-                b = candidateB;
-            }
-        }
-
-        private boolean isLower(int candidateA, int candidateB) {
-            return SimultaneousImpacts.rank(candidateA, candidateB) < SimultaneousImpacts.rank(a, b);
-        }
-
-        @Override
-        void clear() {
-            time = Double.POSITIVE_INFINITY;
-        }
-
-        @Override
-        int nextBatch() {
-            return time < Double.POSITIVE_INFINITY ? 1 : 0;
-        }
-
-        @Override
-        double time(int k) {
-            return time;
-        }
-
-        @Override
-        int a(int k) {
-            return a;
-        }
-
-        @Override
-        int b(int k) {
-            return b;
+    void offer(double time, int a, int b) {
+        if (mayBeNext(time)) {
+            insert(time, 0, a, b);
         }
     }
 
-    /**
-     * Keeps all impacts in the order of time, ties in the order of the scan; those within the batch window happen
-     * together.
-     */
-    static final class WithinWindow extends ImpactQueue {
+    /** True unless an impact at this time is out of the window of the earliest. */
+    final boolean mayBeNext(double time) {
+        return size == 0 || time - times[0] <= window;
+    }
 
-        private final double window;
-        private double[] times = new double[16];
-        private int[] firsts = new int[16];
-        private int[] seconds = new int[16];
-        private int size;
-
-        WithinWindow(double window) {
-            this.window = window;
+    final void insert(double time, double low, int a, int b) {
+        if (size == times.length) {
+            times = Arrays.copyOf(times, 2 * size);
+            lows = Arrays.copyOf(lows, 2 * size);
+            firsts = Arrays.copyOf(firsts, 2 * size);
+            seconds = Arrays.copyOf(seconds, 2 * size);
         }
-
-        @Override
-        void offer(double time, int a, int b) {
-            if (size == times.length) {
-                times = Arrays.copyOf(times, 2 * size);
-                firsts = Arrays.copyOf(firsts, 2 * size);
-                seconds = Arrays.copyOf(seconds, 2 * size);
-            }
-            int k = size++;
-            while (k > 0 && times[k - 1] > time) {
-                times[k] = times[k - 1];
-                firsts[k] = firsts[k - 1];
-                seconds[k] = seconds[k - 1];
-                k--;
-            }
-            times[k] = time;
-            firsts[k] = a;
-            seconds[k] = b;
+        int k = size++;
+        for (; k > 0 && isBefore(time, low, a, b, k - 1); k--) {
+            times[k] = times[k - 1];
+            lows[k] = lows[k - 1];
+            firsts[k] = firsts[k - 1];
+            seconds[k] = seconds[k - 1];
         }
+        times[k] = time;
+        lows[k] = low;
+        firsts[k] = a;
+        seconds[k] = b;
+    }
 
-        @Override
-        void clear() {
-            size = 0;
-        }
+    private boolean isBefore(double time, double low, int a, int b, int k) {
+        return time != times[k] ? time < times[k] : low != lows[k] ? low < lows[k]
+            : !batched && SimultaneousImpacts.rank(a, b) < SimultaneousImpacts.rank(firsts[k], seconds[k]);
+    }
 
-        @Override
-        int nextBatch() {
-            int count = 0;
-            while (count < size && times[count] - times[0] <= window) {
-                count++;
-            }
-            return count;
+    /** The number of impacts that happen next, which are the first; 0 if none was offered. */
+    final int nextBatch() {
+        int count = Math.min(size, 1);
+        while (batched && count < size && times[count] - times[0] <= window) {
+            count++;
         }
+        return count;
+    }
 
-        @Override
-        double time(int k) {
-            return times[k];
-        }
+    double time(int k) {
+        return times[k];
+    }
 
-        @Override
-        int a(int k) {
-            return firsts[k];
-        }
+    /** The low part of a time that is a double-double. */
+    final double low(int k) {
+        return lows[k];
+    }
 
-        @Override
-        int b(int k) {
-            return seconds[k];
-        }
+    final int a(int k) {
+        return firsts[k];
+    }
+
+    final int b(int k) {
+        return seconds[k];
     }
 }

@@ -36,8 +36,7 @@ sealed interface Scan {
         List<Scan> scans = new ArrayList<>();
         boolean descending = parts.law().scanOrder() == ImpactLaw.ScanOrder.DESCENDING;
         if (parts.contacts().bodiesMeet()) {
-            PairTime within = parts.contacts().hasReaches() ? new PairTime.AtOwnDistance(time, parts.contacts()) : time;
-            scans.add(new Pairs(within, PairSelection.of(parts), descending));
+            scans.add(new Pairs(time, PairSelection.of(parts), descending));
         }
         if (!parts.walls().isEmpty()) {
             scans.add(new Walls(wallTime, parts.walls().size(),
@@ -58,12 +57,17 @@ sealed interface Scan {
                 for (int k = 1; k <= others; k++) {
                     int j = descending ? i - k : i + k;
                     if (selection == null || selection.canReact(bodies, i, j)) {
-                        double until = time.until(bodies, i, j);
-                        if (until <= 1 - now) {
-                            queue.offer(now + until, i, j);
-                        }
+                        offer(bodies, i, j, now, queue);
                     }
                 }
+            }
+        }
+
+        private void offer(Bodies bodies, int i, int j, double now, ImpactQueue queue) {
+            double until = time.until(bodies, i, j, PairSelection.radius(selection, bodies, i, j),
+                PairSelection.radius(selection, bodies, j, i));
+            if (until <= 1 - now) {
+                queue.offer(now + until, i, j);
             }
         }
 
@@ -101,20 +105,17 @@ sealed interface Scan {
                     }
                 }
             }
-            return new Listed(time, pairs.build().toArray());
+            return new Listed(this, pairs.build().toArray());
         }
     }
 
-    /** The pairs of a list, two indices each. */
-    record Listed(PairTime time, int[] pairs) implements Scan {
+    /** Some of all pairs, two indices each. */
+    record Listed(Pairs all, int[] pairs) implements Scan {
 
         @Override
         public void find(Bodies bodies, double now, ImpactQueue queue) {
             for (int k = 0; k < pairs.length; k += 2) {
-                double until = time.until(bodies, pairs[k], pairs[k + 1]);
-                if (until <= 1 - now) {
-                    queue.offer(now + until, pairs[k], pairs[k + 1]);
-                }
+                all.offer(bodies, pairs[k], pairs[k + 1], now, queue);
             }
         }
     }

@@ -16,7 +16,7 @@ import steward.physics.time.PairTime;
 final class Standstill {
 
     private final Scan[] scans;
-    private final ImpactQueue queue = new ImpactQueue.OneAtATime();
+    private final ImpactQueue queue = new ImpactQueue(false, 0);
     private boolean[] stopped;
 
     Standstill(PhysicsParts parts) {

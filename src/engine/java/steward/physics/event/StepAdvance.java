@@ -7,6 +7,7 @@ import steward.physics.PhysicsParts;
 import steward.physics.Reaction;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
+import steward.physics.event.flight.PairSelection;
 import steward.physics.impulse.Collision;
 import steward.physics.impulse.ContactResponse;
 import steward.physics.time.Magnitudes;
@@ -46,8 +47,10 @@ public final class StepAdvance implements Advance {
     private final int steps;
     private final Wall[] walls;
     private final PairTime overlap;
+    /** {@code null} if all can react. */
+    private final PairSelection selection;
     private final Scan[] scans;
-    private final ImpactQueue queue = new ImpactQueue.WithinWindow(0);
+    private final ImpactQueue queue = new ImpactQueue(true, 0);
     private final ContactResponse response;
 
     /**
@@ -63,9 +66,9 @@ public final class StepAdvance implements Advance {
         this.steps = steps;
         walls = parts.walls().toArray(new Wall[0]);
         ImpactLaw law = parts.law();
-        PairTime touching = new PairTime.Overlap(!law.separatingPairsReact());
-        scans = Scan.of(parts, touching);
-        overlap = parts.contacts().hasReaches() ? new PairTime.AtOwnDistance(touching, parts.contacts()) : touching;
+        overlap = new PairTime.Overlap(!law.separatingPairsReact());
+        scans = Scan.of(parts, overlap);
+        selection = PairSelection.of(parts);
         response = ContactResponse.of(parts,
             new Collision(Double.isNaN(law.pushOut()) ? law.withPushOut(0) : law, walls), walls);
     }
@@ -106,7 +109,8 @@ public final class StepAdvance implements Advance {
     }
 
     private boolean touches(Bodies bodies, int a, int b) {
-        double until = b >= 0 ? overlap.until(bodies, a, b) : TimeOfImpact.wall(walls[~b],
+        double until = b >= 0 ? overlap.until(bodies, a, b, PairSelection.radius(selection, bodies, a, b),
+            PairSelection.radius(selection, bodies, b, a)) : TimeOfImpact.wall(walls[~b],
             bodies.x[a], bodies.y[a], bodies.vx[a], bodies.vy[a], bodies.radius[a]);
         return until == 0;
     }

@@ -7,7 +7,6 @@ import steward.physics.PhysicsParts;
 import steward.physics.Reaction;
 import steward.physics.TurnSink;
 import steward.physics.Wall;
-import steward.physics.time.ContactDistance;
 
 /** Response to a contact: an impact, or the answer of the scene's {@link Reaction}. */
 public abstract sealed class ContactResponse {
@@ -62,7 +61,6 @@ public abstract sealed class ContactResponse {
         private final Contacts contacts;
         private final Reaction reaction;
         private final Wall[] walls;
-        private final ContactDistance distance;
         private boolean alteredOthers;
 
         Ask(Collision collision, PhysicsParts parts, Wall[] walls) {
@@ -70,7 +68,6 @@ public abstract sealed class ContactResponse {
             this.contacts = parts.contacts();
             this.reaction = parts.reaction();
             this.walls = walls;
-            distance = contacts.hasReaches() ? new ContactDistance(contacts) : null;
         }
 
         private Contacts.Meaning meaning(Bodies bodies, int a, int b) {
@@ -130,11 +127,18 @@ public abstract sealed class ContactResponse {
 
         /** An impact; at a distance of its own, the two have half of it as their radii. */
         private void bounce(Bodies bodies, int a, int b, double time, TurnSink sink) {
-            boolean own = distance != null && b >= 0 && distance.enter(bodies, a, b);
-            collision.react(bodies, a, b, time, sink);
-            if (own) {
-                distance.leave(bodies, a, b);
+            double reach = b < 0 ? Double.NaN : contacts.reach(bodies.kind[a], bodies.kind[b]);
+            if (Double.isNaN(reach)) {
+                collision.react(bodies, a, b, time, sink);
+                return;
             }
+            double radiusA = bodies.radius[a];
+            double radiusB = bodies.radius[b];
+            bodies.radius[a] = reach / 2;
+            bodies.radius[b] = reach / 2;
+            collision.react(bodies, a, b, time, sink);
+            bodies.radius[a] = radiusA;
+            bodies.radius[b] = radiusB;
         }
 
         /** Pairs that have separated, or of which a body was removed, no longer pass through each other. */

@@ -29,8 +29,8 @@ import steward.physics.ImpactLaw;
 
 /**
  * Times of impact of circles for the arithmetic {@code EXACT}: fast lower bounds for all pairs, with exact decisions,
- * and times in double-double. These are computed for the pairs that {@code RefiningQueue} refines. Exact signs decide
- * if two touch, approach and meet; a tangent path is a miss.
+ * and times in double-double. These are computed for pairs that may be next. Exact signs decide if two touch, approach
+ * and meet; a tangent path is a miss.
  */
 public final class ExactPairs extends PairTime {
 
@@ -53,9 +53,9 @@ public final class ExactPairs extends PairTime {
      * @return a lower bound of the time, at least 0; infinite only if the two do not meet within the length of a turn
      */
     @Override
-    public double until(Bodies bodies, int i, int j) {
+    public double until(Bodies bodies, int i, int j, double ri, double rj) {
         return lowerBound(bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j],
-            bodies.vy[i], bodies.vy[j], bodies.radius[i], bodies.radius[j]);
+            bodies.vy[i], bodies.vy[j], ri, rj);
     }
 
     /** Lower bound of the time of two circles. */
@@ -132,7 +132,7 @@ public final class ExactPairs extends PairTime {
             bodies.vy[i], bodies.vy[j], bodies.radius[i], bodies.radius[j], FastCircles.FINE, until);
     }
 
-    /** Lower bound of the time of two circles. */
+    /** The time of impact of two circles. @return false if there is none */
     public boolean exactTime(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1, double vy2,
                              double r1, double r2, DoubleDouble until) {
         return exactTime(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, FastCircles.FINE, until);
@@ -159,11 +159,5 @@ public final class ExactPairs extends PairTime {
         double bError = 6 * U * (Math.abs(xvx) + Math.abs(yvy)) + TINY;
         double b = xvx + yvy;
         return Math.abs(b) > bError ? b < 0 : circles.load(bodies, i, j).areApproaching();
-    }
-
-    /** Lower bound of the time of two circles. */
-    public boolean areApproaching(double x1, double x2, double y1, double y2, double vx1, double vx2, double vy1,
-                                  double vy2) {
-        return circles.load(x1, x2, y1, y2, vx1, vx2, vy1, vy2, 0, 0).areApproaching();
     }
 }

@@ -6,7 +6,7 @@ import steward.physics.Wall;
 
 /**
  * Times of impact with walls for the arithmetic {@code EXACT}: lower bounds for the search, and times in double-double
- * for entries that {@code RefiningQueue} refines. {@link ExactWall} says what is exact.
+ * for those that may be next. {@link ExactWall} says what is exact.
  */
 public final class ExactWalls extends WallTime {
 
@@ -42,12 +42,7 @@ public final class ExactWalls extends WallTime {
 
     /** True if a body approaches a wall, by exact signs. */
     public boolean areApproaching(Bodies bodies, int i, int w) {
-        return approaches(w, bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i], bodies.radius[i]);
-    }
-
-    /** True if a circle that is not in {@link Bodies} approaches a wall. */
-    public boolean approaches(int w, double x, double y, double vx, double vy, double radius) {
-        return walls[w].approaches(x, y, vx, vy, radius);
+        return walls[w].approaches(bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i], bodies.radius[i]);
     }
 
     /** The unit vector from a point to the nearest point of a wall. */

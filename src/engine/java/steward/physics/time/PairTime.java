@@ -2,20 +2,20 @@ package steward.physics.time;
 
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
-import steward.physics.Contacts;
 import steward.physics.ImpactLaw;
 
 /** Time of the next impact of a pair of circles. The law decides if a touching pair reacts; the rest is geometry. */
-public abstract sealed class PairTime permits PairTime.OfCircles, PairTime.Overlap, PairTime.AtOwnDistance,
-    ExactPairs {
+public abstract sealed class PairTime permits PairTime.OfCircles, PairTime.Overlap, ExactPairs {
 
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
     /**
      * Time from now to the impact of two circles, given by their indices; 0 for an impact now. A time beyond the turn
      * may be given as infinite.
+     *
+     * @param ri with rj, the radii in their contact
      */
-    public abstract double until(Bodies bodies, int i, int j);
+    public abstract double until(Bodies bodies, int i, int j, double ri, double rj);
 
     public static PairTime of(ImpactLaw law, Arithmetic arithmetic) {
         return new OfCircles(CircleTime.of(arithmetic), law.separatingPairsReact());
@@ -33,7 +33,7 @@ public abstract sealed class PairTime permits PairTime.OfCircles, PairTime.Overl
         }
 
         @Override
-        public double until(Bodies bodies, int i, int j) {
+        public double until(Bodies bodies, int i, int j, double ri, double rj) {
             double x1 = bodies.x[i];
             double x2 = bodies.x[j];
             double y1 = bodies.y[i];
@@ -42,32 +42,8 @@ public abstract sealed class PairTime permits PairTime.OfCircles, PairTime.Overl
             double vx2 = bodies.vx[j];
             double vy1 = bodies.vy[i];
             double vy2 = bodies.vy[j];
-            double r1 = bodies.radius[i];
-            double r2 = bodies.radius[j];
-            return CircleTime.areFar(x1 - x2, y1 - y2, vx1 - vx2, vy1 - vy2, r1 + r2) ? NEVER
-                : circles.until(x1, x2, y1, y2, vx1, vx2, vy1, vy2, r1, r2, separatingReact);
-        }
-    }
-
-    /** The times of another, for contacts some of which begin at a distance of their own. */
-    public static final class AtOwnDistance extends PairTime {
-
-        private final PairTime time;
-        private final ContactDistance distance;
-
-        public AtOwnDistance(PairTime time, Contacts contacts) {
-            this.time = time;
-            distance = new ContactDistance(contacts);
-        }
-
-        @Override
-        public double until(Bodies bodies, int i, int j) {
-            boolean own = distance.enter(bodies, i, j);
-            double until = time.until(bodies, i, j);
-            if (own) {
-                distance.leave(bodies, i, j);
-            }
-            return until;
+            return CircleTime.areFar(x1 - x2, y1 - y2, vx1 - vx2, vy1 - vy2, ri + rj) ? NEVER
+                : circles.until(x1, x2, y1, y2, vx1, vx2, vy1, vy2, ri, rj, separatingReact);
         }
     }
 
@@ -82,10 +58,10 @@ public abstract sealed class PairTime permits PairTime.OfCircles, PairTime.Overl
         }
 
         @Override
-        public double until(Bodies bodies, int i, int j) {
+        public double until(Bodies bodies, int i, int j, double ri, double rj) {
             double dx = bodies.x[i] - bodies.x[j];
             double dy = bodies.y[i] - bodies.y[j];
-            double touch = bodies.radius[i] + bodies.radius[j];
+            double touch = ri + rj;
             return dx * dx + dy * dy <= touch * touch && (!closingOnly
                 || dx * (bodies.vx[i] - bodies.vx[j]) + dy * (bodies.vy[i] - bodies.vy[j]) < 0) ? 0 : NEVER;
         }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import steward.numerics.DoubleDouble;
+import steward.physics.Bodies;
 import steward.physics.Wall;
 
 /**
@@ -24,10 +25,14 @@ public final class SimultaneousImpacts {
     private record Impact(int a, int b, long rank, double time, double timeLow, AlgebraicTime exact) { }
 
     private final Wall[] walls;
+    private final ExactPairs pairs;
+    private final ExactWalls exactWalls;
     private final List<Impact> impacts = new ArrayList<>();
 
-    public SimultaneousImpacts(Wall[] walls) {
+    public SimultaneousImpacts(Wall[] walls, ExactPairs pairs, ExactWalls exactWalls) {
         this.walls = walls;
+        this.pairs = pairs;
+        this.exactWalls = exactWalls;
     }
 
     /** Orders pairs by their lower index, then by the other; walls come after all bodies, in their own order. */
@@ -75,6 +80,11 @@ public final class SimultaneousImpacts {
                 impacts.remove(k);
             }
         }
+    }
+
+    /** True if the two of an impact still approach, where they are now. @param b an index, or {@code ~wall} */
+    public boolean areApproaching(Bodies bodies, int a, int b) {
+        return b < 0 ? exactWalls.areApproaching(bodies, a, ~b) : pairs.areApproaching(bodies, a, b);
     }
 
     public int size() {

@@ -67,7 +67,7 @@ class ExactCirclesTest {
     private void check(Bodies bodies, String what) {
         BigDecimal exact = touch(bodies);
         boolean hit = pairs.exactTime(bodies, 0, 1, time);
-        double bound = pairs.until(bodies, 0, 1);
+        double bound = pairs.until(bodies, 0, 1, bodies.radius[0], bodies.radius[1]);
         if (exact == null || exact.compareTo(Exact.of(Double.MAX_VALUE)) > 0) {
             assertEquals(false, hit, () -> what + ": found " + time.high());
             assertTrue(bound == NEVER || bound > 2, () -> what + ": bound " + bound);

@@ -99,7 +99,7 @@ class PairTimeTest {
     private void compare(Arithmetic arithmetic, ImpactLaw law, Bodies b, long seed, int n) {
         double plain = CircleTime.of(arithmetic).until(b.x[0], b.x[1], b.y[0], b.y[1], b.vx[0], b.vx[1], b.vy[0],
             b.vy[1], b.radius[0], b.radius[1], law.separatingPairsReact());
-        double seen = PairTime.of(law, arithmetic).until(b, 0, 1);
+        double seen = PairTime.of(law, arithmetic).until(b, 0, 1, b.radius[0], b.radius[1]);
         if (plain <= 1 || seen < NEVER) {
             assertEquals(plain, seen, () -> "seed " + seed + ", case " + n + ", " + arithmetic);
         }

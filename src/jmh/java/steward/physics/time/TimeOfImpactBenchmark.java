@@ -63,7 +63,7 @@ public class TimeOfImpactBenchmark {
     public double circles() {
         double sum = 0;
         for (int k = 0; k < 2 * PAIRS; k += 2) {
-            double time = pairs.until(bodies, k, k + 1);
+            double time = pairs.until(bodies, k, k + 1, bodies.radius[k], bodies.radius[k + 1]);
             sum += time < 1 ? time : 0;
         }
         return sum;

@@ -170,11 +170,6 @@ public final class CellFlights extends FreeFlights {
     }
 
     @Override
-    public boolean areApproaching(int body, int partner) {
-        return search.areApproaching(body, partner);
-    }
-
-    @Override
     public void predictAfter(int body, int partner, double now) {
         search.predict(body, now);
         if (partner >= 0) {

@@ -17,9 +17,9 @@ import static steward.physics.event.cells.Crowd.X;
 import static steward.physics.event.cells.Crowd.Y;
 
 import steward.physics.Bodies;
-import steward.physics.HalfPlane;
 import steward.physics.PhysicsParts;
 import steward.physics.event.flight.ImpactSearch;
+import steward.physics.event.flight.PairSelection;
 import steward.physics.time.PreciseFlight;
 import steward.physics.time.SimultaneousImpacts;
 
@@ -49,14 +49,9 @@ final class CellSearch extends ImpactSearch {
 
     /** Products below this have lost digits to underflow. */
     private static final double LEAST = 1e-250;
-    /** Sums of a few terms, and places after a flight, are off by less than this share of their terms. */
-    private static final double ROUNDING = 0x1p-46;
-    /** A factor for the rounding error of a quotient. */
-    private static final double JUST_BELOW_ONE = 1 - 0x1p-40;
 
     private final Crowd crowd;
     private final EventBuckets events;
-    private final HalfPlane[] planes;
     private final PreciseFlight flight = new PreciseFlight();
     private int[] near = new int[16];
     /** Where times are double-doubles, of each body: whether another impact of it is near its prediction in time. */
@@ -66,10 +61,6 @@ final class CellSearch extends ImpactSearch {
         super(parts);
         this.crowd = crowd;
         this.events = events;
-        planes = new HalfPlane[walls.length];
-        for (int w = 0; w < walls.length; w++) {
-            planes[w] = walls[w] instanceof HalfPlane plane ? plane : null;
-        }
     }
 
     /** Makes room for {@code capacity} neighbours. */
@@ -128,15 +119,6 @@ final class CellSearch extends ImpactSearch {
         collects = false;
         together.decide();
         return together;
-    }
-
-    /** True if the partners of an impact approach; both have been moved to it. */
-    boolean areApproaching(int body, int partner) {
-        double[] state = crowd.state;
-        int i = 8 * body;
-        int j = 8 * Math.max(partner, 0);
-        return areApproaching(partner, state[i + X], state[j + X], state[i + Y], state[j + Y], state[i + VX],
-            state[j + VX], state[i + VY], state[j + VY], crowd.ownRadius(body));
     }
 
     @Override
@@ -239,29 +221,21 @@ final class CellSearch extends ImpactSearch {
         }
         double[] state = crowd.state;
         int at = 8 * body;
-        double since = state[at + SINCE];
-        double speed = Math.abs(state[at + VX]) + Math.abs(state[at + VY]);
-        double size = Math.abs(state[at + X]) + Math.abs(state[at + Y]) + state[at + RADIUS] + speed;
+        double x = state[at + X];
+        double y = state[at + Y];
+        double vx = state[at + VX];
+        double vy = state[at + VY];
+        double radius = crowd.ownRadius(body);
+        double start = state[at + SINCE];
         for (int w = 0; w < walls.length; w++) {
-            HalfPlane plane = planes[w];
-            if (plane != null) {
-                double closing = ROUNDING * speed
-                    - (state[at + VX] * plane.insideX() + state[at + VY] * plane.insideY());
-                double gap = plane.gap(state[at + X], state[at + Y], state[at + RADIUS])
-                    - ROUNDING * (size + Math.abs(plane.x()) + Math.abs(plane.y()));
-                if (gap * JUST_BELOW_ONE > closing * (Math.min(best, 1) - since)) {
-                    continue;                          // later than the best; most walls are receded from
-                }
-            }
-            if (selection != null && !selection.canReactWithWall(crowd.bodies, index, w)) {
+            if (isLate(w, x, y, vx, vy, radius, start)
+                || selection != null && !selection.canReactWithWall(crowd.bodies, index, w)) {
                 continue;
             }
             if (crowd.exact) {
-                offerExactWall(body, w, state[at + X], state[at + Y], state[at + VX], state[at + VY],
-                    crowd.ownRadius(body), since, crowd.low[4 * body + SINCE_LOW], now);
+                offerExactWall(body, w, x, y, vx, vy, radius, start, crowd.low[4 * body + SINCE_LOW], now);
             } else {
-                offerWall(w, state[at + X], state[at + Y], state[at + VX], state[at + VY], crowd.ownRadius(body),
-                    since, now);
+                offerWall(w, x, y, vx, vy, radius, start, now);
             }
         }
     }
@@ -313,7 +287,8 @@ final class CellSearch extends ImpactSearch {
                 int i = crowd.index[body];
                 int j = crowd.index[others[k]];
                 if (selection.canReact(bodies, i, j)) {
-                    offer(body, others[k], selection.radius(bodies, i, j), selection.radius(bodies, j, i), now);
+                    offer(body, others[k], PairSelection.radius(selection, bodies, i, j),
+                        PairSelection.radius(selection, bodies, j, i), now);
                 }
             }
         }
@@ -321,40 +296,49 @@ final class CellSearch extends ImpactSearch {
 
     /** Offers the next impact of a pair: the body whose flight starts earlier is moved to the start of the other. */
     private void offer(int body, int other, double ri, double rj, double now) {
+        if (crowd.exact) {
+            offerExact(body, other, ri, rj, now);
+            return;
+        }
+        double[] state = crowd.state;
+        int i = 8 * body;
+        int j = 8 * other;
+        double start = Math.max(state[i + SINCE], state[j + SINCE]);
+        double flownI = start - state[i + SINCE];
+        double flownJ = start - state[j + SINCE];
+        double vxi = state[i + VX];
+        double vyi = state[i + VY];
+        double vxj = state[j + VX];
+        double vyj = state[j + VY];
+        offerPair(body, other, state[i + X] + vxi * flownI, state[j + X] + vxj * flownJ, state[i + Y] + vyi * flownI,
+            state[j + Y] + vyj * flownJ, vxi, vxj, vyi, vyj, ri, rj, start, state[j + IMPACT], now);
+    }
+
+    /** As {@link #offer}, where times are double-doubles. */
+    private void offerExact(int body, int other, double ri, double rj, double now) {
         double[] state = crowd.state;
         int i = 8 * body;
         int j = 8 * other;
         double sinceI = state[i + SINCE];
         double sinceJ = state[j + SINCE];
-        double since = Math.max(sinceI, sinceJ);
+        double lowI = crowd.low[4 * body + SINCE_LOW];
+        double lowJ = crowd.low[4 * other + SINCE_LOW];
+        double ahead = sinceI != sinceJ ? sinceI - sinceJ : lowI - lowJ;
         double xi = state[i + X];
         double yi = state[i + Y];
         double xj = state[j + X];
         double yj = state[j + Y];
-        double vxi = state[i + VX];
-        double vyi = state[i + VY];
-        double vxj = state[j + VX];
-        double vyj = state[j + VY];
-        if (!crowd.exact) {
-            offerPair(body, other, xi + vxi * (since - sinceI), xj + vxj * (since - sinceJ),
-                yi + vyi * (since - sinceI), yj + vyj * (since - sinceJ), vxi, vxj, vyi, vyj,
-                ri, rj, since, state[j + IMPACT], now);
-            return;
-        }
-        double lowI = crowd.low[4 * body + SINCE_LOW];
-        double lowJ = crowd.low[4 * other + SINCE_LOW];
-        boolean isLast = sinceI > sinceJ || sinceI == sinceJ && lowI >= lowJ;
-        if (isLast && (sinceI != sinceJ || lowI != lowJ)) {
+        if (ahead > 0) {
             double flown = flight.elapsed(sinceJ, lowJ, sinceI, lowI);
-            xj = flight.coordinate(xj, vxj, flown);
-            yj = flight.coordinate(yj, vyj, flown);
-        } else if (!isLast) {
+            xj = flight.coordinate(xj, state[j + VX], flown);
+            yj = flight.coordinate(yj, state[j + VY], flown);
+        } else if (ahead < 0) {
             double flown = flight.elapsed(sinceI, lowI, sinceJ, lowJ);
-            xi = flight.coordinate(xi, vxi, flown);
-            yi = flight.coordinate(yi, vyi, flown);
+            xi = flight.coordinate(xi, state[i + VX], flown);
+            yi = flight.coordinate(yi, state[i + VY], flown);
         }
-        offerExactPair(body, other, xi, xj, yi, yj, vxi, vxj, vyi, vyj, ri, rj, since, isLast ? lowI : lowJ,
-            state[j + IMPACT], now);
+        offerExactPair(body, other, xi, xj, yi, yj, state[i + VX], state[j + VX], state[i + VY], state[j + VY], ri, rj,
+            ahead < 0 ? sinceJ : sinceI, ahead < 0 ? lowJ : lowI, state[j + IMPACT], now);
     }
 
     private void enqueue(int body, double now) {

@@ -63,9 +63,6 @@ public abstract class FreeFlights {
      */
     public abstract SimultaneousImpacts simultaneous(int body);
 
-    /** True if the partners of an impact approach; both have been moved to it. */
-    public abstract boolean areApproaching(int body, int partner);
-
     /** Predicts the impacts of two bodies after theirs. @param partner a body, or negative */
     public abstract void predictAfter(int body, int partner, double now);
 

@@ -1,6 +1,7 @@
 package steward.physics.event.flight;
 
 import steward.numerics.DoubleDouble;
+import steward.physics.HalfPlane;
 import steward.physics.PhysicsParts;
 import steward.physics.Wall;
 import steward.physics.time.CircleTime;
@@ -21,8 +22,14 @@ import steward.physics.time.TimeOfImpact;
 public abstract class ImpactSearch {
 
     protected static final double NEVER = Double.POSITIVE_INFINITY;
+    /** Sums of a few terms, and places after a flight, are off by less than this share of their terms. */
+    protected static final double ROUNDING = 0x1p-46;
+    /** A factor for the rounding error of a quotient. */
+    private static final double JUST_BELOW_ONE = 1 - 0x1p-40;
 
     protected final Wall[] walls;
+    /** The straight walls; {@code null} for others. */
+    private final HalfPlane[] planes;
     /** {@code null} if all can react. */
     protected final PairSelection selection;
     /** {@code null} where times are doubles. */
@@ -32,6 +39,7 @@ public abstract class ImpactSearch {
     /** The time of the impact in work, from the start of its flights and as a time of the turn. */
     private final DoubleDouble until = new DoubleDouble();
     private final DoubleDouble at = new DoubleDouble();
+    /** {@code null} where times are doubles. */
     protected final SimultaneousImpacts together;
     /** True while the impacts near a time are collected in place of the earliest. */
     protected boolean collects;
@@ -45,11 +53,13 @@ public abstract class ImpactSearch {
     protected ImpactSearch(PhysicsParts parts) {
         boolean exact = parts.arithmetic().isExact();
         walls = parts.walls().toArray(new Wall[0]);
+        planes = parts.walls().stream().map(wall -> wall instanceof HalfPlane plane ? plane : null)
+            .toArray(HalfPlane[]::new);
         selection = PairSelection.of(parts);
         exactPairs = exact ? new ExactPairs(parts.law()) : null;
         exactWalls = exact ? new ExactWalls(walls) : null;
         circles = CircleTime.of(parts.arithmetic());
-        together = new SimultaneousImpacts(walls);
+        together = exact ? new SimultaneousImpacts(walls, exactPairs, exactWalls) : null;
     }
 
     /** The rank of an impact among those at one time. */
@@ -95,6 +105,19 @@ public abstract class ImpactSearch {
         }
     }
 
+    /** True if a wall is straight and surely reached later than the best: most are, and it takes no division. */
+    protected final boolean isLate(int w, double x, double y, double vx, double vy, double radius, double start) {
+        HalfPlane plane = planes[w];
+        if (plane == null) {
+            return false;
+        }
+        double speed = Math.abs(vx) + Math.abs(vy);
+        double size = Math.abs(x) + Math.abs(y) + radius + speed + Math.abs(plane.x()) + Math.abs(plane.y());
+        double closing = ROUNDING * speed - (vx * plane.insideX() + vy * plane.insideY());
+        double gap = plane.gap(x, y, radius) - ROUNDING * size;
+        return gap * JUST_BELOW_ONE > closing * (Math.min(best, 1) - start);
+    }
+
     /** Keeps the impact of a circle and a wall, given where it is at the start of its flight, if it is the earliest. */
     protected final void offerWall(int w, double x, double y, double vx, double vy, double radius, double start,
                                    double now) {
@@ -108,14 +131,8 @@ public abstract class ImpactSearch {
     /** As {@link #offerWall}, where times are double-doubles. */
     protected final void offerExactWall(int body, int w, double x, double y, double vx, double vy, double radius,
                                         double start, double startLow, double now) {
-        if (start + exactWalls.until(w, x, y, vx, vy, radius) <= Math.min(best, 1)) {
-            offerNearWall(body, w, x, y, vx, vy, radius, start, startLow, now);
-        }
-    }
-
-    private void offerNearWall(int body, int w, double x, double y, double vx, double vy, double radius, double start,
-                               double startLow, double now) {
-        if (exactWalls.exactTime(w, x, y, vx, vy, radius, until)) {
+        if (start + exactWalls.until(w, x, y, vx, vy, radius) <= Math.min(best, 1)
+            && exactWalls.exactTime(w, x, y, vx, vy, radius, until)) {
             boolean isPresent = addTimes(start, startLow, now);
             if (!collects) {
                 keepIfEarlier(body, ~w, NEVER);
@@ -123,13 +140,6 @@ public abstract class ImpactSearch {
                 together.addWall(body, w, rank(body, ~w), x, y, vx, vy, radius, start, startLow, until, at, isPresent);
             }
         }
-    }
-
-    /** True if two approach, or one a wall (then only the first counts), by exact signs. */
-    protected final boolean areApproaching(int partner, double xi, double xj, double yi, double yj, double vxi,
-                                           double vxj, double vyi, double vyj, double radius) {
-        return partner < 0 ? exactWalls.approaches(~partner, xi, yi, vxi, vyi, radius)
-            : exactPairs.areApproaching(xi, xj, yi, yj, vxi, vxj, vyi, vyj);
     }
 
     /** Computes the time of the turn; one before the present is so only by rounding. @return whether it was */

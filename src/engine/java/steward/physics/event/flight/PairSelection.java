@@ -24,9 +24,13 @@ public record PairSelection(Contacts contacts) {
         };
     }
 
-    /** The radius of i in its contacts with j: half of their distance where they have one of their own. */
-    public double radius(Bodies bodies, int i, int j) {
-        double reach = contacts.reach(bodies.kind[i], bodies.kind[j]);
+    /**
+     * The radius of i in its contacts with j: half of their distance where they have one of their own.
+     *
+     * @param selection {@code null} if all can react
+     */
+    public static double radius(PairSelection selection, Bodies bodies, int i, int j) {
+        double reach = selection == null ? Double.NaN : selection.contacts.reach(bodies.kind[i], bodies.kind[j]);
         return reach > 0 ? reach / 2 : bodies.radius[i];
     }
 

@@ -71,11 +71,6 @@ public final class PairFlights extends FreeFlights {
     }
 
     @Override
-    public boolean areApproaching(int body, int partner) {
-        return search.areApproaching(bodies, body, partner);
-    }
-
-    @Override
     public void predictAfter(int body, int partner, double now) {
         search.searchAfter(bodies, body, partner, now);
     }

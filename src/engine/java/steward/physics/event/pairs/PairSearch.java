@@ -3,6 +3,7 @@ package steward.physics.event.pairs;
 import steward.physics.Bodies;
 import steward.physics.PhysicsParts;
 import steward.physics.event.flight.ImpactSearch;
+import steward.physics.event.flight.PairSelection;
 import steward.physics.time.PreciseFlight;
 import steward.physics.time.SimultaneousImpacts;
 
@@ -12,8 +13,6 @@ import steward.physics.time.SimultaneousImpacts;
  */
 final class PairSearch extends ImpactSearch {
 
-    /** Sums of products are off by less than this share of their terms. */
-    private static final double ROUNDING = 0x1p-46;
     /** Bound on what underflows in a sum of products. */
     private static final double TINY = 0x1p-1000;
     /** Sums of two times of a turn are off by at most this. */
@@ -91,7 +90,8 @@ final class PairSearch extends ImpactSearch {
         if (selection == null) {
             offer(bodies, i, j, bodies.radius[i], bodies.radius[j], now);
         } else if (selection.canReact(bodies, i, j)) {
-            offer(bodies, i, j, selection.radius(bodies, i, j), selection.radius(bodies, j, i), now);
+            offer(bodies, i, j, PairSelection.radius(selection, bodies, i, j),
+                PairSelection.radius(selection, bodies, j, i), now);
         }
     }
 
@@ -103,26 +103,32 @@ final class PairSearch extends ImpactSearch {
     }
 
     private void offerWalls(Bodies bodies, int i, double now) {
-        if (walls.length > 0
-            && (selection == null ? bodies.inverseMass[i] > 0 : selection.canReactWithWalls(bodies, i))) {
-            if (exact) {
-                offerExactWalls(bodies, i, now);
-                return;
-            }
-            for (int w = 0; w < walls.length; w++) {
-                if (selection == null || selection.canReactWithWall(bodies, i, w)) {
-                    offerWall(w, bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i], bodies.radius[i],
-                        flights.since[i], now);
-                }
+        if (selection != null && !selection.canReactWithWalls(bodies, i)) {
+            return;
+        }
+        if (exact) {
+            offerExactWalls(bodies, i, now);
+            return;
+        }
+        for (int w = 0; w < walls.length; w++) {
+            if (selection == null || selection.canReactWithWall(bodies, i, w)) {
+                offerWall(w, bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i], bodies.radius[i],
+                    flights.since[i], now);
             }
         }
     }
 
     private void offerExactWalls(Bodies bodies, int i, double now) {
+        double x = bodies.x[i];
+        double y = bodies.y[i];
+        double vx = bodies.vx[i];
+        double vy = bodies.vy[i];
+        double radius = bodies.radius[i];
+        double start = flights.since[i];
         for (int w = 0; w < walls.length; w++) {
-            if (selection == null || selection.canReactWithWall(bodies, i, w)) {
-                offerExactWall(i, w, bodies.x[i], bodies.y[i], bodies.vx[i], bodies.vy[i], bodies.radius[i],
-                    flights.since[i], flights.sinceLow[i], now);
+            if (!isLate(w, x, y, vx, vy, radius, start)
+                && (selection == null || selection.canReactWithWall(bodies, i, w))) {
+                offerExactWall(i, w, x, y, vx, vy, radius, start, flights.sinceLow[i], now);
             }
         }
     }
@@ -187,13 +193,6 @@ final class PairSearch extends ImpactSearch {
         return together;
     }
 
-    /** True if the partners of an impact approach; both have been moved to it. */
-    boolean areApproaching(Bodies bodies, int i, int partner) {
-        int j = Math.max(partner, 0);
-        return areApproaching(partner, bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j],
-            bodies.vy[i], bodies.vy[j], bodies.radius[i]);
-    }
-
     /** {@link #isLate} of a pair, both flights of which start at one time: most pairs need no more. */
     private boolean areLateTogether(Bodies bodies, int i, int j, double ri, double rj, double start) {
         return isLate(bodies.x[i] - bodies.x[j], bodies.y[i] - bodies.y[j], bodies.vx[i] - bodies.vx[j],
@@ -247,13 +246,14 @@ final class PairSearch extends ImpactSearch {
             if (!areLateTogether(bodies, i, j, ri, rj, flights.since[i])) {
                 offerTogether(bodies, i, j, ri, rj, flights.since[i], now);
             }
-            return;
+        } else if (!areSurelyLate(bodies, ahead > 0 ? j : i, ahead > 0 ? i : j, ri + rj)) {
+            offerFlown(bodies, i, j, ri, rj, ahead > 0 ? i : j, now);
         }
-        int later = ahead > 0 ? i : j;
-        int earlier = ahead > 0 ? j : i;
-        if (areSurelyLate(bodies, earlier, later, ri + rj)) {
-            return;
-        }
+    }
+
+    /** Moves the one whose flight has started earlier to the start of the other's. */
+    private void offerFlown(Bodies bodies, int i, int j, double ri, double rj, int later, double now) {
+        int earlier = i + j - later;
         double start = flights.since[later];
         double startLow = flights.sinceLow[later];
         double flown = flight.elapsed(flights.since[earlier], flights.sinceLow[earlier], start, startLow);
