@@ -70,9 +70,9 @@ final class EventLoop {
             left--;
             SimultaneousImpacts together = flights.simultaneous(body);
             if (together == null) {
-                last = flights.time(body);
+                last = flights.nextTime;
                 lastLow = flights.nowLow;
-                react(body, flights.partner(body), last);
+                react(body, flights.nextPartner, last);
             } else {
                 last = together.time();
                 lastLow = together.timeLow();
@@ -101,8 +101,7 @@ final class EventLoop {
 
     private void react(int body, int partner, double now) {
         flights.flyToImpact(body, partner, now);
-        flights.show(body, partner);
-        if (leavesOthers(now)) {
+        if (leavesOthers(body, partner, now)) {
             flights.predictAfter(body, partner, now);
         }
     }
@@ -117,22 +116,23 @@ final class EventLoop {
             int body = together.a(done);
             int partner = together.b(done);
             flights.flyToImpact(body, partner, now);
-            flights.show(body, partner);
             if (done > 0) {
+                flights.show(body, partner);
                 if (!together.areApproaching(flights.shown(), flights.a(), flights.b())) {
                     continue;
                 }
                 left--;
             }
-            if (!leavesOthers(now)) {
+            if (!leavesOthers(body, partner, now)) {
                 return;
             }
         }
         flights.predictAfter(together, done, now);
     }
 
-    /** Lets a heap rest, or the two that are shown react. @return false if the flights of all bodies began anew */
-    private boolean leavesOthers(double now) {
+    /** Lets a heap rest, or the two of an impact react. @return false if the flights of all bodies began anew */
+    private boolean leavesOthers(int body, int partner, double now) {
+        flights.show(body, partner);
         if (!(rest != null && settles(now)) && respond(now)) {
             flights.take();
             return true;

@@ -57,17 +57,13 @@ sealed interface Scan {
                 for (int k = 1; k <= others; k++) {
                     int j = descending ? i - k : i + k;
                     if (selection == null || selection.canReact(bodies, i, j)) {
-                        offer(bodies, i, j, now, queue);
+                        double until = time.until(bodies, i, j, PairSelection.radius(selection, bodies, i, j),
+                            PairSelection.radius(selection, bodies, j, i));
+                        if (until <= 1 - now) {
+                            queue.offer(now + until, i, j);
+                        }
                     }
                 }
-            }
-        }
-
-        private void offer(Bodies bodies, int i, int j, double now, ImpactQueue queue) {
-            double until = time.until(bodies, i, j, PairSelection.radius(selection, bodies, i, j),
-                PairSelection.radius(selection, bodies, j, i));
-            if (until <= 1 - now) {
-                queue.offer(now + until, i, j);
             }
         }
 
@@ -105,17 +101,23 @@ sealed interface Scan {
                     }
                 }
             }
-            return new Listed(this, pairs.build().toArray());
+            return new Listed(time, selection, pairs.build().toArray());
         }
     }
 
     /** Some of all pairs, two indices each. */
-    record Listed(Pairs all, int[] pairs) implements Scan {
+    record Listed(PairTime time, PairSelection selection, int[] pairs) implements Scan {
 
         @Override
         public void find(Bodies bodies, double now, ImpactQueue queue) {
             for (int k = 0; k < pairs.length; k += 2) {
-                all.offer(bodies, pairs[k], pairs[k + 1], now, queue);
+                int i = pairs[k];
+                int j = pairs[k + 1];
+                double until = time.until(bodies, i, j, PairSelection.radius(selection, bodies, i, j),
+                    PairSelection.radius(selection, bodies, j, i));
+                if (until <= 1 - now) {
+                    queue.offer(now + until, i, j);
+                }
             }
         }
     }

@@ -84,6 +84,8 @@ public final class CellFlights extends FreeFlights {
         for (; body >= 0; body = events.first()) {
             lookAhead.read();
             if (!crossesOrIsStale(body)) {
+                nextTime = events.time(body);
+                nextPartner = crowd.link[8 * body + PARTNER];
                 nowLow = exact ? crowd.low[4 * body + IMPACT_LOW] : 0;
                 break;
             }
@@ -108,28 +110,17 @@ public final class CellFlights extends FreeFlights {
     }
 
     @Override
-    public double time(int body) {
-        return events.time(body);
-    }
-
-    @Override
-    public int partner(int body) {
-        return crowd.link[8 * body + PARTNER];
-    }
-
-    @Override
     public SimultaneousImpacts simultaneous(int body) {
-        if (!exact || removeIfAlone(body, events.time(body))) {
+        if (!exact || removeIfAlone(body, nextTime)) {
             return null;
         }
-        double now = events.time(body);
-        removeNear(now);
-        return search.collect(near, nearCount, now);
+        removeNear(nextTime);
+        return search.collect(near, nearCount, nextTime);
     }
 
     /** Removes the events of a body and its partner if no other impact can be at their time. @return whether it did */
     private boolean removeIfAlone(int body, double now) {
-        int partner = crowd.link[8 * body + PARTNER];
+        int partner = nextPartner;
         if (search.isDoubtful(body) || partner >= 0 && search.isDoubtful(partner) && isNear(partner, now)) {
             return false;
         }

@@ -20,6 +20,9 @@ public abstract class FreeFlights {
 
     /** The low part of the present time; 0 where times are doubles. */
     public double nowLow;
+    /** The time of the next impact, and the partner of the body that has it: another body, or {@code ~wall}. */
+    public double nextTime;
+    public int nextPartner;
     /** True if times are double-doubles. */
     protected final boolean exact;
     /** Low parts that rounding took from the coordinates of the two that {@link #show} shows. */
@@ -48,14 +51,8 @@ public abstract class FreeFlights {
     /** Starts the flights of all bodies where they are, and predicts their impacts. */
     public abstract void startAll(double now);
 
-    /** Makes the time of the earliest impact the present. @return a body that has it, or -1 if there is none */
+    /** Makes the earliest impact the next. @return a body that has it, or -1 if there is none */
     public abstract int next();
-
-    /** The time of the predicted impact of a body. */
-    public abstract double time(int body);
-
-    /** The partner of the predicted impact of a body: another body, or {@code ~wall}. */
-    public abstract int partner(int body);
 
     /**
      * The impacts at the time of the next one, which a body has, where that has to be decided by other means than the

@@ -30,7 +30,10 @@ public record PairSelection(Contacts contacts) {
      * @param selection {@code null} if all can react
      */
     public static double radius(PairSelection selection, Bodies bodies, int i, int j) {
-        double reach = selection == null ? Double.NaN : selection.contacts.reach(bodies.kind[i], bodies.kind[j]);
+        if (selection == null) {
+            return bodies.radius[i];
+        }
+        double reach = selection.contacts.reach(bodies.kind[i], bodies.kind[j]);
         return reach > 0 ? reach / 2 : bodies.radius[i];
     }
 

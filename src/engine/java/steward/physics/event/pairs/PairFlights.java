@@ -49,20 +49,12 @@ public final class PairFlights extends FreeFlights {
     @Override
     public int next() {
         int row = search.earliest(bodies.size());
-        if (exact && row >= 0) {
-            nowLow = search.timeLow[row];
+        if (row >= 0) {
+            nextTime = search.time[row];
+            nextPartner = search.partner[row];
+            nowLow = exact ? search.timeLow[row] : 0;
         }
         return row;
-    }
-
-    @Override
-    public double time(int body) {
-        return search.time[body];
-    }
-
-    @Override
-    public int partner(int body) {
-        return search.partner[body];
     }
 
     @Override
