@@ -133,7 +133,9 @@ final class EventLoop {
     /** Lets a heap rest, or the two of an impact react. @return false if the flights of all bodies began anew */
     private boolean leavesOthers(int body, int partner, double now) {
         flights.show(body, partner);
-        if (!(rest != null && settles(now)) && respond(now)) {
+        int a = flights.a();
+        int b = flights.b();
+        if (!(rest != null && rest.mayRest(bodies, a, b, now) && settles(a, b, now)) && respond(a, b, now)) {
             flights.take();
             return true;
         }
@@ -145,12 +147,7 @@ final class EventLoop {
     }
 
     /** Lets the heap of an impact rest. @return false if it is an ordinary impact */
-    private boolean settles(double now) {
-        int a = flights.a();
-        int b = flights.b();
-        if (!rest.isAbout(bodies, a, b) || !rest.mayRest(bodies, a, b, now)) {
-            return false;
-        }
+    private boolean settles(int a, int b, double now) {
         double near = rest.near(a, b);
         if (near < 1 && rest.isPlain(bodies, a, b) && !flights.mayTouchOthers(near, now)) {
             return false;
@@ -171,9 +168,7 @@ final class EventLoop {
      *
      * @return false if others were altered
      */
-    private boolean respond(double now) {
-        int a = flights.a();
-        int b = flights.b();
+    private boolean respond(int a, int b, double now) {
         if (!response.needsAll(bodies, a, b)) {
             return response.react(flights.shown(), a, b, now, impactSink);
         }

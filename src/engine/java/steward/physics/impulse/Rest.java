@@ -143,20 +143,18 @@ public final class Rest {
         }
     }
 
-    /** True if a contact is a plain impact, no slide, and nothing passes through anything else. */
-    public boolean isAbout(Bodies bodies, int a, int b) {
-        return !(b < 0 && RimSliding.grazes(bodies, a, walls[~b])) && bodies.passing().isEmpty()
-            && Contacts.Meaning.BOUNCE == (b < 0 ? contacts.withWall(bodies.kind[a])
-            : contacts.between(bodies.kind[a], bodies.kind[b]));
-    }
-
     /**
-     * True if an impact of two that are where they are now is rest. Called for every impact: the kinetic energies are
-     * those of the flights that end here.
+     * True if a contact of two that are where they are now is rest: a plain impact, no slide, while nothing passes
+     * through anything else. Called for every impact: the kinetic energies are those of the flights that end here.
      *
      * @param b another body, or {@code ~wall}
      */
     public boolean mayRest(Bodies bodies, int a, int b, double time) {
+        if (b < 0 && RimSliding.grazes(bodies, a, walls[~b]) || !bodies.passing().isEmpty()
+            || Contacts.Meaning.BOUNCE != (b < 0 ? contacts.withWall(bodies.kind[a])
+            : contacts.between(bodies.kind[a], bodies.kind[b]))) {
+            return false;
+        }
         law.see(bodies, a, time - 0.5);
         if (b >= 0) {
             law.see(bodies, b, time - 0.5);
