@@ -37,7 +37,7 @@ final class SparseActiveSet {
     private static final double LEAST_SHARE = 0.25;
     /** Speeds that remain in a set, as a share of the largest approach: rounding. */
     private static final double ROUNDING = 0x1p-48;
-    /** Speeds that may remain as a share of the largest change of a velocity: rounding, where these cancel each other. */
+    /** Speeds that may remain as a share of the largest change of a velocity: rounding, where these cancel. */
     private static final double CHANGES = 0.75 * 0x1p-50;
     /** Refinements that lessen what remains by less than a half, at most, before contacts are said not to part. */
     private static final int SLOW = 24;
