@@ -7,6 +7,8 @@ import java.util.Arrays;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import steward.bot.Player;
 
 /** A bot is killed with everything that it has started. */
@@ -45,34 +47,18 @@ class BotGroupTest {
         Arrays.stream(pids).forEach(ScriptedBots::assertGone);
     }
 
-    private static void nothingIsLeft(String script, int lines) {
+    /** The row says who is left behind, and in how many lines the script prints process numbers. */
+    @ParameterizedTest(name = "{0}")
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+        a wrapper script and its child | 1 | sh -c 'echo $$; sleep 1000; :'; sleep 1000
+        a background child | 1 | sleep 1000 & echo $$ $!; sleep 1000; :
+        a grandchild whose parent is gone holds the output | 2 | sh -c 'sleep 1000 & echo $!'; echo $$; sleep 1000; :
+        a child that has left the group, a descendant | 1 | setsid sh -c 'echo $$; sleep 1000' & sleep 1000; :
+        a bot that ignores signals | 1 | trap '' TERM INT HUP QUIT PIPE; echo $$; while :; do sleep 1000; done
+        """)
+    void nothingIsLeftOf(String what, int lines, String script) {
         nothingIsLeftAfterTheDeadline(script, lines);
         nothingIsLeftAfterTheEnd(script, lines);
-    }
-
-    @Test
-    void aWrapperScriptAndItsChild() {
-        nothingIsLeft("sh -c 'echo $$; sleep 1000; :'; sleep 1000", 1);
-    }
-
-    @Test
-    void aBackgroundChild() {
-        nothingIsLeft("sleep 1000 & echo $$ $!; sleep 1000; :", 1);
-    }
-
-    @Test
-    void aGrandchildWhoseParentIsGoneHoldsTheOutput() {
-        nothingIsLeft("sh -c 'sleep 1000 & echo $!'; echo $$; sleep 1000; :", 2);
-    }
-
-    @Test
-    void aChildThatHasLeftTheGroupIsKilledAsADescendant() {
-        nothingIsLeft("setsid sh -c 'echo $$; sleep 1000' & sleep 1000; :", 1);
-    }
-
-    @Test
-    void aBotThatIgnoresSignals() {
-        nothingIsLeft("trap '' TERM INT HUP QUIT PIPE; echo $$; while :; do sleep 1000; done", 1);
     }
 
     @Test

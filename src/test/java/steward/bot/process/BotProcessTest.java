@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.io.IOException;
 import java.io.OutputStream;
@@ -16,10 +17,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 import steward.bot.Answer;
 import steward.bot.Player;
 import steward.bot.command.ProgramFinder;
@@ -143,18 +148,31 @@ class BotProcessTest {
         assertEquals("over\n", Files.readString(heard));
     }
 
-    @Test
-    void anAnswerMayHaveSeveralLines() {
-        try (BotProcess bot = ScriptedBots.bot("while read -r l; do echo \"$l 1\"; echo \"$l 2\"; done")) {
-            assertEquals("a 1\na 2", ScriptedBots.answer(bot, "a\n", 2).text());
-            assertEquals("b 1\nb 2", ScriptedBots.answer(bot, "b\n", 2).text());
-        }
+    /** Frames and the answers to them, of so many lines. */
+    static Stream<Arguments> conversations() {
+        String x = "x".repeat(65535);
+        String text = "{\"\u00e9\":\"\u4e16\ud83d\ude80\"}";
+        return Stream.of(
+            arguments("several lines", "while read -r l; do echo \"$l 1\"; echo \"$l 2\"; done",
+                List.of("a\n", "a 1\na 2", "b\n", "b 1\nb 2")),
+            arguments("carriage returns at line ends are not part of the answer",
+                "read -r l; printf 'one\\r\\nt\\rwo\\r\\r\\n\\r\\n'", List.of("a\n", "one\nt\rwo\r\n")),
+            arguments("answers before the questions", "exec <&-; printf 'one\\ntwo\\n'; exec sleep 1000",
+                List.of("a\n", "one", "b\n", "two")),
+            arguments("the longest line", ECHO.replace("got ", "x"),
+                List.of(x + "\n", "x" + x, x + "\r\n", "x" + x)),
+            arguments("bytes as they are", "exec cat", List.of(text + "\n", text)));
     }
 
-    @Test
-    void carriageReturnsAtLineEndsAreNotPartOfTheAnswer() {
-        try (BotProcess bot = ScriptedBots.bot("read -r l; printf 'one\\r\\nt\\rwo\\r\\r\\n\\r\\n'")) {
-            assertEquals("one\nt\rwo\r\n", ScriptedBots.answer(bot, "a\n", 3).text());
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("conversations")
+    void answersAreThoseOfTheBot(String what, String script, List<String> said) {
+        try (BotProcess bot = ScriptedBots.bot(script)) {
+            for (int k = 0; k < said.size(); k += 2) {
+                String expected = said.get(k + 1);
+                int lines = expected.split("\n", -1).length;
+                assertEquals(expected, ScriptedBots.answer(bot, said.get(k), lines).text());
+            }
         }
     }
 
@@ -169,14 +187,6 @@ class BotProcessTest {
             assertEquals("two\nthree", second.text());
             assertEquals(0, second.extraLines());
             assertEquals("four", ScriptedBots.reply(bot, "c\n"));
-        }
-    }
-
-    @Test
-    void answersMayBeThereBeforeTheQuestions() {
-        try (BotProcess bot = ScriptedBots.bot("exec <&-; printf 'one\\ntwo\\n'; exec sleep 1000")) {
-            assertEquals("one", ScriptedBots.reply(bot, "a\n"));
-            assertEquals("two", ScriptedBots.reply(bot, "b\n"));
         }
     }
 
@@ -214,23 +224,6 @@ class BotProcessTest {
                 assertEquals("0123456789\n".repeat(999) + "0123456789",
                     ScriptedBots.answer(bot, turn == 0 ? "a\n" : "", 1000).text());
             }
-        }
-    }
-
-    @Test
-    void theLongestLineIsAllowed() {
-        String x = "x".repeat(65535);
-        try (BotProcess bot = ScriptedBots.bot(ECHO.replace("got ", "x"))) {
-            assertEquals("x" + x, ScriptedBots.reply(bot, x + "\n"));
-            assertEquals("x" + x, ScriptedBots.reply(bot, x + "\r\n"));
-        }
-    }
-
-    @Test
-    void bytesArePassedAsTheyAre() {
-        try (BotProcess bot = ScriptedBots.bot("exec cat")) {
-            assertEquals("{\"\u00e9\":\"\u4e16\ud83d\ude80\"}",
-                ScriptedBots.reply(bot, "{\"\u00e9\":\"\u4e16\ud83d\ude80\"}\n"));
         }
     }
 

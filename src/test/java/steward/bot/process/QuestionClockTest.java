@@ -4,8 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Locale;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import steward.bot.FaultMessages;
 import steward.bot.TimeBasis;
 import steward.bot.TimeSpent;
@@ -16,7 +19,9 @@ import steward.bot.accounting.TreeSampler;
 
 /**
  * When a question's time is up. The clock, the asking thread and the bot's processes are numbers that a test sets: a
- * limit of 80 ms, of which a quarter is 20 and an eighth 10.
+ * limit of 80 ms, of which a quarter is 20 and an eighth 10. Rows tell a question in steps, in ms after its start:
+ * {@code 20>30} is a look at 20, of which the next is at 30, {@code 520/490>530} one that was to come 490 ms earlier,
+ * and {@code end} the end of the question.
  */
 class QuestionClockTest {
 
@@ -50,44 +55,54 @@ class QuestionClockTest {
         return next == QuestionClock.PASSED ? -1 : (next - START) / (double) MS;
     }
 
-    @Test
-    void itIsLookedAtAfterAQuarterThenEveryEighth() {
-        ask(LIMIT);
-        assertEquals(START + 20 * MS, clock.firstLook());
-        assertEquals(20, look(5, 0));
-        assertEquals(0, samples, "a look before a quarter of the limit costs something");
-        assertEquals(30, look(20, 0));
-        assertEquals(1, samples);
-        assertEquals(40, look(30, 0));
-        assertEquals(79.9, look(69.9, 0));
-        assertEquals(1, samples, "a search that uses most of its time pays for one look");
-        assertEquals(80, look(70, 0));
-        assertEquals(2, samples, "seven eighths");
-        assertEquals(80, look(75, 0));
-        assertEquals(2, samples);
+    /** Takes the steps of a question, told with blanks between them. */
+    private void play(String steps) {
+        for (String step : steps.split(" +")) {
+            String[] words = step.split("[=>@]");
+            double number = words.length > 1 && !words[1].equals("end") ? Double.parseDouble(words[1]) : -1;
+            switch (words[0]) {
+                case "begin" -> clock.begin(LIMIT, START, null);
+                case "ask" -> ask(LIMIT);
+                case "written" -> clock.frameWritten(START + Math.round(number * MS));
+                case "asleep", "awake", "unknown" -> asking = OwnThread.State.valueOf(step.toUpperCase(Locale.ROOT));
+                case "cpu" -> cpu = Math.round(number * MS);
+                case "waited" -> waited = Math.round(number * MS);
+                case "first" -> assertEquals(number, (clock.firstLook() - START) / (double) MS, step);
+                case "samples" -> assertEquals(number, samples, step);
+                case "taken" -> assertEquals(number, clock.taken() / (double) MS, step);
+                case "charge" -> assertEquals(Double.parseDouble(words[2]),
+                    clock.charge(START + Math.round(number * MS)) / (double) MS, step);
+                case "unread", "read" -> assertEquals(step.equals("unread"), clock.unread(), step);
+                default -> {
+                    String[] look = words[0].split("/");
+                    double next = look(Double.parseDouble(look[0]), look.length > 1 ? Double.parseDouble(look[1]) : 0);
+                    assertEquals(words.length > 1 ? number : next, next, step + " of " + steps);
+                }
+            }
+        }
     }
 
-    /** It may be between two reads: it is late only if it sleeps at two looks, 0.2 ms apart. */
-    @Test
-    void theTimeIsUpWhenTheAskingThreadSleepsInItsRead() {
-        ask(LIMIT);
-        assertEquals(80.2, look(80, 0));
-        assertEquals(-1, look(80.2, 0));
-        assertFalse(clock.unread());
-        assertEquals(80_200_000, clock.taken());
-    }
-
-    /** Something has come, and waits for the referee: first the referee reads it. */
-    @Test
-    void anAnswerThatLiesInThePipeIsLookedAtBeforeTheVerdict() {
-        ask(LIMIT);
-        asking = OwnThread.State.AWAKE;
-        assertEquals(81, look(80, 0));
-        assertEquals(90, look(89, 0));
-        assertEquals(LIMIT, clock.charge(START + 89 * MS), "it is charged what the bot had");
-        asking = OwnThread.State.ASLEEP;
-        assertEquals(90.2, look(90, 0));
-        assertEquals(-1, look(90.2, 0));
+    @ParameterizedTest(name = "{0}")
+    @CsvSource(delimiter = '|', textBlock = """
+        after a quarter, then every eighth | ask first=20 5>20 samples=0 20>30 samples=1 30>40
+        a search that uses most of its time pays for one look | ask 20 69.9>79.9 samples=1 70>80 samples=2 75>80 \
+        samples=2
+        late if it sleeps at two looks, between which it may have been between two reads | ask 80>80.2 80.2>end read \
+        taken=80.2
+        an answer in the pipe is read first, and charged what the bot had | ask awake 80>81 89>90 charge@89=80 asleep \
+        90>90.2 90.2>end
+        where threads are not shown, late as if it slept | ask unknown 80>80.2 80.2>end
+        the referee was stopped from 20.5 to 520, noticed by the look of 30 | ask 20>30 520/490>530 taken=30 565>570 \
+        570>570.2 570.2>end
+        a pause before the question is none of its | ask 5/400>25 taken=0
+        a wake-up that is a millisecond late is usual | ask 20.9/0.9 taken=20.9
+        the frame starts the clock; what was not charged before has nothing to do with it | begin 50/30 written=60 \
+        65>80 taken=5
+        a frame that cannot be written: awake the referee waits for a processor, asleep the pipe is full | begin awake \
+        80>81 asleep 81>81.2 81.2>end unread
+        """)
+    void looksOfAQuestion(String what, String steps) {
+        play(steps);
     }
 
     /** A bot that sends byte for byte keeps the thread awake: in all for two seconds at most. */
@@ -102,84 +117,19 @@ class QuestionClockTest {
         assertTrue(looks > 1000 && looks < 3000, looks + " looks");
     }
 
-    /** Where the system does not show threads, it is late as if the thread slept. */
-    @Test
-    void withoutAViewOfThreadsTheTimeIsUpNearlyAtOnce() {
-        ask(LIMIT);
-        asking = OwnThread.State.UNKNOWN;
-        assertEquals(80.2, look(80, 0));
-        assertEquals(-1, look(80.2, 0));
-    }
-
-    /** Stopped from 20.5 to 520 ms, noticed by the look that was to be at 30: 490 ms are not charged. */
-    @Test
-    void timeInWhichTheRefereeDidNotRunIsNotCharged() {
-        ask(LIMIT);
-        assertEquals(30, look(20, 0));
-        assertEquals(530, look(520, 490));
-        assertEquals(30 * MS, clock.taken());
-        assertEquals(570, look(565, 0), "80 + 490");
-        assertEquals(570.2, look(570, 0));
-        assertEquals(-1, look(570.2, 0));
-    }
-
-    /** The watchdog slept long before the question: only what lies after its start is not charged. */
-    @Test
-    void aPauseBeforeTheQuestionIsNoneOfIts() {
-        ask(LIMIT);
-        assertEquals(25, look(5, 400));
-        assertEquals(0, clock.taken());
-    }
-
-    @Test
-    void aWakeUpThatIsAMillisecondLateIsUsual() {
-        ask(LIMIT);
-        look(20.9, 0.9);
-        assertEquals(20_900_000, clock.taken());
-    }
-
     @Test
     void theNextQuestionStartsAnew() {
-        ask(LIMIT);
-        look(520, 490);
+        play("ask 520/490");
         clock.begin(LIMIT, START + 600 * MS, null);
-        clock.frameWritten(START + 600 * MS);
-        assertEquals(620, look(601, 0));
-        assertEquals(MS, clock.taken());
-    }
-
-    /** The clock starts when the frame is written; what was not charged before that has nothing to do with it. */
-    @Test
-    void writingTheFrameStartsTheClock() {
-        clock.begin(LIMIT, START, null);
-        look(50, 30);
-        clock.frameWritten(START + 60 * MS);
-        assertEquals(80, look(65, 0), "60 + 20");
-        assertEquals(5 * MS, clock.taken());
+        play("written=600 601>620 taken=1");
     }
 
     /** The referee needed 70 ms to start the program and to write: that is not the program's time. */
     @Test
     void theFirstClockStartsWithTheFrameAsWell() {
         clock.begin(LIMIT, START, TreeSample.beforeStart(START, 0));
-        clock.frameWritten(START + 70 * MS);
-        assertEquals(150, look(145, 0), "70 + 80");
-        assertEquals(150.2, look(150, 0));
-        assertEquals(-1, look(150.2, 0));
-        assertEquals(80_200_000, clock.taken());
+        play("written=70 145>150 150>150.2 150.2>end taken=80.2");
         assertEquals(0, clock.spent(START + 151 * MS, clock.taken()).unobserved(), "all is known from the start");
-    }
-
-    /** The thread sleeps while it writes: the pipe is full. */
-    @Test
-    void aFrameThatCannotBeWrittenIsUnread() {
-        clock.begin(LIMIT, START, null);
-        asking = OwnThread.State.AWAKE;
-        assertEquals(81, look(80, 0), "the referee waits for a processor to write with");
-        asking = OwnThread.State.ASLEEP;
-        assertEquals(81.2, look(81, 0));
-        assertEquals(-1, look(81.2, 0));
-        assertTrue(clock.unread());
     }
 
     @Test
@@ -192,10 +142,7 @@ class QuestionClockTest {
     /** 20 ms before the first look, then 50 of computing; the rest sleeps. */
     @Test
     void itIsToldWhereTheTimeWent() {
-        ask(LIMIT);
-        cpu = 7 * MS;
-        look(20, 0);
-        cpu = 57 * MS;
+        play("ask cpu=7 20 cpu=57");
         TimeSpent spent = clock.spent(START + 81 * MS, 81 * MS);
         assertEquals(new TimeSpent(LIMIT, 81 * MS, 20 * MS, 50 * MS, 0, 11 * MS, 50 * MS, TimeSpent.Shows.ALL, false),
             spent);
@@ -207,12 +154,7 @@ class QuestionClockTest {
     @Test
     void aLimitOfCpuTimeIsExceededByComputing() {
         clock.limitBy(TimeBasis.CPU);
-        cpu = 500 * MS;
-        ask(LIMIT);
-        cpu = 580 * MS;
-        assertEquals(200, look(190, 0));
-        cpu = 581 * MS;
-        assertEquals(-1, look(200, 0));
+        play("cpu=500 ask cpu=580 190>200 cpu=581 200>end");
         TimeSpent spent = clock.spent(START + 200 * MS, 200 * MS);
         assertTrue(spent.overCpu());
         assertEquals(81 * MS, spent.cpu());
@@ -223,20 +165,14 @@ class QuestionClockTest {
     @Test
     void aPauseDoesNotShortenTheTimeInWhichCpuTimeWasUsed() {
         clock.limitBy(TimeBasis.CPU);
-        cpu = 0;
-        ask(LIMIT);
-        cpu = 90 * MS;
-        assertEquals(-1, look(130, 110));
-        assertEquals(130 * MS, clock.taken());
+        play("ask cpu=90 130/110>end taken=130");
     }
 
     /** 60 ms are left at 30 ms; the processors together need so long for them, and an eighth at least. */
     @Test
     void cpuTimeIsLookedAtWhenItMayBeUsedUp() {
         clock.limitBy(TimeBasis.CPU);
-        ask(LIMIT);
-        cpu = 20 * MS;
-        look(30, 0);
+        play("ask cpu=20 30");
         int before = samples;
         double next = 30 + Math.max(10, 60.0 / TreeSampler.processors());
         look(next - 0.1, 0);
@@ -248,11 +184,7 @@ class QuestionClockTest {
     @Test
     void byTheClockItMayTakeTenTimesAsLong() {
         clock.limitBy(TimeBasis.CPU);
-        ask(LIMIT);
-        assertEquals(START + 20 * MS, clock.firstLook());
-        assertEquals(800, look(795, 0));
-        assertEquals(800.2, look(800, 0));
-        assertEquals(-1, look(800.2, 0));
+        play("ask first=20 795>800 800>800.2 800.2>end");
         TimeSpent spent = clock.spent(START + 801 * MS, 801 * MS);
         assertFalse(spent.overCpu());
         assertEquals(10 * LIMIT, spent.limit());
@@ -262,52 +194,35 @@ class QuestionClockTest {
     @Test
     void waitingForAProcessorIsNotChargedWhereTheMachineIsNotTo() {
         clock.limitBy(TimeBasis.UNSTARVED);
-        ask(LIMIT);
-        cpu = 5 * MS;
-        waited = 15 * MS;
-        assertEquals(30, look(20, 0));
-        cpu = 60 * MS;
-        waited = 140 * MS;
-        assertEquals(210, look(200, 0));
-        assertEquals(60 * MS, clock.charge(START + 200 * MS), "what an answer would be charged");
-        cpu = 82 * MS;
-        waited = 168 * MS;
-        assertEquals(250.2, look(250, 0));
-        assertEquals(-1, look(250.2, 0));
+        play("ask cpu=5 waited=15 20>30 cpu=60 waited=140 200>210 charge@200=60 cpu=82 waited=168 250>250.2 250.2>end");
         TimeSpent spent = clock.spent(START + 251 * MS, clock.taken());
         assertFalse(spent.doubtful());
         assertEquals(0, spent.waited());
         assertEquals(82, spent.computed() / MS);
+        assertFault("no answer within 80 ms, without waiting for a processor (waited 83 ms): computed "
+            + "all the time: an endless loop, or too slow? [computed 82, waited 0 for a processor, ", spent);
+    }
+
+    private void assertFault(String start, TimeSpent spent) {
         String fault = FaultMessages.missed(spent, clock.basis(), false, 0, 1, 0);
-        assertTrue(fault.startsWith("no answer within 80 ms, without waiting for a processor (waited 83 ms): computed "
-            + "all the time: an endless loop, or too slow? [computed 82, waited 0 for a processor, "), fault);
+        assertTrue(fault.startsWith(start), fault);
     }
 
     /** Sleeping is charged: it would be late on any machine. */
     @Test
     void aBotThatSleepsIsLateWhereTheMachineIsNotChargedToo() {
         clock.limitBy(TimeBasis.UNSTARVED);
-        ask(LIMIT);
-        waited = 5 * MS;
-        assertEquals(85, look(75, 0));
-        assertEquals(85.2, look(85, 0));
-        assertEquals(-1, look(85.2, 0));
+        play("ask waited=5 75>85 85>85.2 85.2>end");
     }
 
     /** The machine never lets it run: ten times the limit are enough, and it is not the bot's fault. */
     @Test
     void notBeingLetRunAtAllEndsAfterTenTimesTheLimit() {
         clock.limitBy(TimeBasis.UNSTARVED);
-        ask(LIMIT);
-        waited = 790 * MS;
-        assertEquals(809, look(799, 0));
-        assertEquals(800.2, look(800, 0));
-        assertEquals(-1, look(800.2, 0));
+        play("ask waited=790 799>809 800>800.2 800.2>end");
         TimeSpent spent = clock.spent(START + 801 * MS, clock.taken());
         assertTrue(spent.starved());
-        String fault = FaultMessages.missed(spent, clock.basis(), false, 0, 1, 0);
-        assertTrue(fault.startsWith("no answer within 800 ms (waited 801 ms): the machine was busy: not its fault"),
-            fault);
+        assertFault("no answer within 800 ms (waited 801 ms): the machine was busy: not its fault", spent);
     }
 
     /** An answer that came before the watchdog looked: it may have used as much as all processors together can. */
@@ -328,25 +243,18 @@ class QuestionClockTest {
     /** The referee did not run for 500 ms, and the bot computed all the time on all processors. */
     @Test
     void aBotThatKeepsTheProcessorsFromTheRefereeIsCharged() {
-        ask(LIMIT);
-        assertEquals(30, look(20, 0));
+        play("ask 20>30");
         cpu = 70 * TreeSampler.processors() * MS;
         assertTrue(look(520, 490) > 0);
         assertEquals(70 * MS, clock.taken());
         cpu = 90 * TreeSampler.processors() * MS;
-        assertEquals(540.2, look(540, 0));
-        assertEquals(-1, look(540.2, 0));
-        assertEquals(90 * MS, clock.taken());
+        play("540>540.2 540.2>end taken=90");
     }
 
     /** Its answer came before the watchdog was back. */
     @Test
     void anAnswerOfComputingTooLongIsLateAlsoIfTheWatchdogWas() {
-        ask(LIMIT);
-        look(20, 0);
-        assertEquals(LIMIT, clock.charge(START + 300 * MS), "it slept, or the referee did");
-        ask(LIMIT);
-        look(20, 0);
+        play("ask 20 charge@300=80 ask 20");
         cpu = 81 * TreeSampler.processors() * MS;
         assertEquals(-1, clock.charge(START + 300 * MS));
         assertEquals(81 * MS, clock.taken());
@@ -362,11 +270,9 @@ class QuestionClockTest {
         clock.begin(LIMIT, START, sample(START));
         cpu = 100 * MS;
         whileSampling = () -> clock.frameWritten(START + 160 * MS);
-        assertEquals(-1, look(130, 0));
-        assertEquals(130 * MS, clock.taken());
-        TimeSpent spent = clock.spent(START + 130 * MS, clock.taken());
-        assertEquals("no answer within 80 ms of CPU time (used 100 ms in 130 ms): computed all the time: an endless "
+        play("130>end taken=130");
+        assertFault("no answer within 80 ms of CPU time (used 100 ms in 130 ms): computed all the time: an endless "
             + "loop, or too slow? [computed 100, waited 0 for a processor, 30 other]",
-            FaultMessages.missed(spent, TimeBasis.CPU, false, 0, 1, 0));
+            clock.spent(START + 130 * MS, clock.taken()));
     }
 }

@@ -56,13 +56,18 @@ class SandboxVerdictsTest {
      * @param script what it then does when it is asked again
      * @param limit  how long it may take, in nanoseconds
      * @param fault  a pattern for the verdict
+     * @param came   text of the answer that is none
      */
-    private record Case(String script, long limit, String fault) {
+    private record Case(String script, long limit, String fault, String came) {
+
+        Case(String script, long limit, String fault) {
+            this(script, limit, fault, "");
+        }
     }
 
     private static final List<Case> TABLE = List.of(
         new Case("exit 0", FOREVER, "exited with status 0 before answering"),
-        new Case("printf part; exit 3", FOREVER, "exited with status 3 before answering"),
+        new Case("printf part; exit 3", FOREVER, "exited with status 3 before answering", "part"),
         new Case("exit 200", FOREVER, "exited with status 200 before answering"),
         new Case("kill -s SEGV $$", FOREVER, "killed by signal 11 \\(SIGSEGV\\) before answering"),
         new Case("kill -s INT $$", FOREVER, "killed by signal 2 \\(SIGINT\\) before answering"),
@@ -82,9 +87,12 @@ class SandboxVerdictsTest {
             "exited with status 126 before answering \\(126: a command cannot be executed\\)"),
         new Case("exec sleep 1000", SHORT, "no answer within 60 ms \\(waited [0-9]+ ms\\).*"),
         new Case("printf part; exec sleep 1000", SHORT,
-            "no answer within 60 ms \\(waited [0-9]+ ms\\).*: 4 bytes came, without a line end.*"),
+            "no answer within 60 ms \\(waited [0-9]+ ms\\).*: 4 bytes came, without a line end.*", "part"),
         new Case("kill -s STOP $$", SHORT, "no answer within 60 ms \\(waited [0-9]+ ms\\).*"),
-        new Case("head -c 65537 /dev/zero | tr '\\0' x; exec sleep 1000", FOREVER, "line longer than 65536 bytes"));
+        new Case("head -c 65537 /dev/zero | tr '\\0' x; exec sleep 1000", FOREVER, "line longer than 65536 bytes",
+            "x".repeat(1024)),
+        new Case("head -c 1000000 /dev/zero; exec sleep 1000", FOREVER, "line longer than 65536 bytes",
+            "\0".repeat(1024)));
 
     private static BotProcess start(Way way, List<String> command) {
         return new BotProcess("bot", new Launch(command, Isolation.at(way.level), List.of()),
@@ -99,13 +107,13 @@ class SandboxVerdictsTest {
         }
     }
 
-    /** Two of five rows by each way, so that the ways have all rows twice. */
+    /** All rows without a sandbox, and two of five by each other way. */
     @ParameterizedTest
     @EnumSource(Way.class)
     void theTableByTurns(Way way) throws IOException {
         int first = way.ordinal();
         assertVerdicts(way, IntStream.range(0, TABLE.size())
-            .filter(row -> (row + first) % Way.values().length < 2).mapToObj(TABLE::get).toList());
+            .filter(row -> way == Way.OFF || (row + first) % Way.values().length < 2).mapToObj(TABLE::get).toList());
     }
 
     @Tag("campaign")
@@ -125,9 +133,10 @@ class SandboxVerdictsTest {
                 try (BotProcess bot = start(way, List.of("sh", "-c", script))) {
                     assertEquals("ready", ScriptedBots.reply(bot, "a\n"));
                     List<Long> processes = bot.processes();
-                    String fault = ScriptedBots.fault(bot, "b\n", each.limit()).fault();
-                    if (!fault.matches(each.fault())) {
-                        wrong.add(each.script() + ": " + fault);
+                    Answer answer = ScriptedBots.fault(bot, "b\n", each.limit());
+                    if (!answer.fault().matches(each.fault()) || !answer.text().equals(each.came())
+                        || each.limit() < FOREVER && answer.nanos() < each.limit()) {
+                        wrong.add(each.script() + ": " + answer.fault() + ": " + answer.text());
                     }
                     processes.forEach(ScriptedBots::assertGone);
                 }
