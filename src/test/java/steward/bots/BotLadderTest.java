@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -77,14 +78,14 @@ class BotLadderTest {
     @ParameterizedTest
     @CsvSource({"1, 2", "3, 2", "8, 2", "2, 4", "8, 8"})
     @Tag("slow")
-    void theMiddleStepsPlayAnyNumberOfPodsAndPlayers(int pods, int players) {
-        PodBot[] bots = new PodBot[players];
-        for (int player = 0; player < players; player++) {
-            bots[player] = player % 2 == 0 ? new Contender() : new Regular();
+    void everyStepPlaysAnyNumberOfPodsAndPlayers(int pods, int players) {
+        for (int[] steps : new int[][] {{3, 0}, {2, 1}}) {
+            PodBot[] bots = IntStream.range(0, players).mapToObj(player -> LADDER.get(steps[player % 2]).get())
+                .toArray(PodBot[]::new);
+            MatchResult result = BundledBotMatches.play(BundledBotMatches.crowd(pods, players), 5, bots);
+            assertFalse(result.anyFault(), result.toString());
+            assertEquals(players, result.players().size());
         }
-        MatchResult result = BundledBotMatches.play(BundledBotMatches.crowd(pods, players), 5, bots);
-        assertFalse(result.anyFault(), result.toString());
-        assertEquals(players, result.players().size());
     }
 
     /** A debugger that is fed the frames from some turn on sees the same bot. */

@@ -4,12 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
-import java.io.File;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import steward.cli.options.SandboxOptions;
 import steward.cli.shared.ExitStatus;
@@ -40,6 +39,14 @@ public record Cli(int status, String out, String err) {
             withoutMachine(err.toString(StandardCharsets.UTF_8)));
     }
 
+    /** Calls the program with an input that is no terminal. */
+    public static Cli piped(byte[] in, String... arguments) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        int status = Main.run(new Streams(new ByteArrayInputStream(in), false, out, err, false, false), arguments);
+        return new Cli(status, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
+    }
+
     /** @param more further arguments */
     public static Cli run(List<String> call, String... more) {
         return run(words(call, more));
@@ -48,15 +55,6 @@ public record Cli(int status, String out, String err) {
     /** Returns the words of a call. @param more further arguments */
     public static String[] words(List<String> call, String... more) {
         return Stream.concat(call.stream(), Stream.of(more)).toArray(String[]::new);
-    }
-
-    /** Words that start a main class of the tests in a JVM of its own, in any folder; its arguments follow. */
-    public static List<String> jvm(Class<?> main, String... options) {
-        String path = Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
-            .map(part -> Path.of(part).toAbsolutePath().toString()).collect(Collectors.joining(File.pathSeparator));
-        return Stream.of(Stream.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "--enable-native-access=ALL-UNNAMED"), Stream.of(options),
-            Stream.of("-cp", path, main.getName())).flatMap(words -> words).toList();
     }
 
     /** Calls a command of leagues; {@code TMP} in its words is a folder. */

@@ -8,13 +8,13 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.command.CommandLine;
+import steward.bot.process.JavaProcess;
 
 /** The program as a process of its own: what its streams and signals do. */
 @Tag("process")
@@ -30,7 +30,7 @@ public class ProcessTest {
     }
 
     public static String steward(String... arguments) {
-        return CommandLine.quote(Cli.jvm(Main.class)) + " " + CommandLine.quote(List.of(arguments));
+        return CommandLine.quote(JavaProcess.words(Main.class, arguments));
     }
 
     /** Runs a line of shell; what it writes to either stream, then its status. */

@@ -14,7 +14,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -26,7 +25,6 @@ import steward.bot.command.ProgramFinder;
 import steward.cli.Cli;
 import steward.cli.shared.ExitStatus;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /** Matches with a referee that is a program of its own: one that speaks rightly, and wrongly in every way. */
 @Tag("process")
@@ -35,9 +33,11 @@ class GuestMatchTest {
 
     @TempDir
     private Path folder;
+    private Path file;
 
     @BeforeEach
     void programs() throws IOException {
+        file = folder.resolve("x.jsonl");
         assumeTrue(ProgramFinder.find("python3") != null && ProgramFinder.find("sh") != null,
             "skipped: there is no python3 or no sh");
         Files.copy(Path.of("src/test/resources/referees/standin.py"), folder.resolve("standin.py"));
@@ -66,22 +66,24 @@ class GuestMatchTest {
     }
 
     private Cli match(String scene, String... more) throws IOException {
-        String[] call = {"match", "--scene", scene, "--bot", bot("low", 2, "1", 99, ":"), "--bot",
-            bot("high", 2, "2", 99, ":"), "--seed", "7", "--time-factor", "20"};
-        String[] all = new String[call.length + more.length];
-        System.arraycopy(call, 0, all, 0, call.length);
-        System.arraycopy(more, 0, all, call.length, more.length);
-        return Cli.run(all);
+        return Cli.run(List.of("match", "--scene", scene, "--bot", bot("low", 2, "1", 99, ":"), "--bot",
+            bot("high", 2, "2", 99, ":"), "--seed", "7", "--time-factor", "20"), more);
+    }
+
+    private Cli verify() {
+        return Cli.run("replay", file.toString(), "--verify", "--run-referee");
+    }
+
+    private void assertVerified(int turns) {
+        assertEquals("verified: states of " + turns + " of " + turns + " turns and the result\n", verify().out());
     }
 
     @Test
     void pointsAreThoseOfTheScoresAndTheReplayVerifies() throws IOException {
-        Path file = folder.resolve("x.jsonl");
         Cli cli = match(scene("good", 2, ""), "--out", file.toString()).done();
         assertTrue(cli.out().startsWith("high wins: the referee has ended the game, 20 turns (good, seed 7)"),
             cli.out());
-        assertEquals("verified: states of 20 of 20 turns and the result\n",
-            Cli.run("replay", file.toString(), "--verify", "--run-referee").out());
+        assertVerified(20);
         assertEquals("seed=7\n0\nseed=7\n1\n", Files.readString(folder.resolve("low.txt")).substring(0, 18));
         assertTrue(Files.readString(file).contains("""
             {"type":"turn","turn":3,"commands":[{"lines":["1"]},null]"""), Files.readString(file));
@@ -94,14 +96,13 @@ class GuestMatchTest {
     /** The referee's words are the failure's text in a match, a series, a test, a replay and a check. */
     @Test
     void aBotThatTheRefereeThrowsOutHasFailed() throws IOException {
-        Path file = folder.resolve("x.jsonl");
         String scene = scene("thrown", 2, "");
         Cli cli = match(scene, "--out", file.toString());
         assertTrue(cli.out().contains("high") && cli.out().contains("no such cell"), cli.out());
-        assertTrue(Cli.run("replay", file.toString(), "--verify", "--run-referee").out().startsWith("verified"),
+        assertTrue(verify().out().startsWith("verified"),
             cli.out());
         Files.writeString(file, Files.readString(file).replace("no such cell\"}", "other words\"}"));
-        assertEquals(ExitStatus.FAILED, Cli.run("replay", file.toString(), "--verify", "--run-referee").status());
+        assertEquals(ExitStatus.FAILED, verify().status());
         String series = match(scene, "--games", "2").out();
         assertTrue(series.contains("no such cell") && series.matches("(?s).*\nhigh +0 +0 +2 +2 .*"), series);
         String check = Cli.run("check", "--scene", scene, "--time-factor", "20", "codingame:" + bot("high", 2, "2", 99,
@@ -116,23 +117,17 @@ class GuestMatchTest {
     @Test
     void theThirdLateAnswerIsAFailureWhereTimesCount() throws IOException {
         String scene = scene("struck", 2, "");
-        String[] call = {"match", "--scene", scene, "--bot", bot("quick", 2, "1", 99, ":"), "--bot",
-            bot("slow", 2, "1", 1, "sleep 1.25"), "--json"};
-        JsonNode struck = JsonMapper.shared().readTree(Cli.run(with(call, "--time-factor", "10")).out());
+        List<String> call = List.of("match", "--scene", scene, "--bot", bot("quick", 2, "1", 99, ":"), "--json",
+            "--bot");
+        JsonNode struck = Cli.run(call, bot("slow", 2, "1", 1, "sleep 1.25"), "--time-factor", "10").json();
         assertTrue(struck.at("/players/1/fault").asString("").startsWith("late 3 times, after 1"), struck.toString());
         assertTrue(struck.at("/players/0/fault").isNull(), struck.toString());
-        call[6] = bot("slow", 2, "1", 1, "sleep 0.2");
-        JsonNode free = JsonMapper.shared().readTree(Cli.run(with(call, "--no-deadline")).out());
+        JsonNode free = Cli.run(call, bot("slow", 2, "1", 1, "sleep 0.2"), "--no-deadline").json();
         assertTrue(free.at("/players/1/fault").isNull(), free.toString());
-    }
-
-    private static String[] with(String[] call, String... more) {
-        return Stream.concat(Stream.of(call), Stream.of(more)).toArray(String[]::new);
     }
 
     @Test
     void aBotIsFedWhatItWasSent() throws IOException {
-        Path file = folder.resolve("x.jsonl");
         match(scene("pairs", 2, ", \"properties\": {\"width\": \"12\"}"), "--out", file.toString());
         String bot = "sh " + folder.resolve("low.sh");
         String frames = Cli.run("replay", file.toString(), "--frames", "--player", "1", "--run-referee").out();
@@ -150,7 +145,6 @@ class GuestMatchTest {
 
     @Test
     void recordedBlocksThatNoRefereeSaysAreRefusedWithTheirLine() throws IOException {
-        Path file = folder.resolve("x.jsonl");
         match(scene("good", 2, ""), "--out", file.toString());
         List<String> lines = Files.readAllLines(file);
         for (int line = 1; line <= 3; line += 2) {
@@ -166,29 +160,25 @@ class GuestMatchTest {
 
     @Test
     void filesOfARefereeThatAreNotThereAreNamed() throws IOException {
-        Path file = folder.resolve("x.jsonl");
         match(scene("good", 2, ""), "--out", file.toString());
         String replay = Files.readString(file);
         Files.writeString(folder.resolve("standin.py"), "# another one\n");
         Files.writeString(file, replay.replace("[\"python3\"", "[\"python3\",\"-Wd\",\"-X.y=1\",\"no/such.py\""));
-        Cli.run("replay", file.toString(), "--verify", "--run-referee").assertRefused(
+        verify().assertRefused(
             "which is that of the referee's files here; no file is no/such.py");
         Files.writeString(file, replay);
         Files.delete(folder.resolve("standin.py"));
-        Cli.run("replay", file.toString(), "--verify", "--run-referee").assertRefused(file + ":1: jar: found no file "
+        verify().assertRefused(file + ":1: jar: found no file "
             + folder.resolve("standin.py") + ", expected the files of sha256:");
         Files.writeString(file, replay.replace("[\"python3\"", "[\"no-such-program\""));
-        Cli.run("replay", file.toString(), "--verify", "--run-referee")
-            .assertRefused("referee.command: found \"no-such-program\", expected a program that is there");
+        verify().assertRefused("referee.command: found \"no-such-program\", expected a program that is there");
         Files.writeString(file, replay.replaceFirst("\"command\":\\[.*?]", "\"classPath\":[\"no/such.jar\"]"));
-        Cli.run("replay", file.toString(), "--verify", "--run-referee")
-            .assertRefused("referee.classPath: found \"no/such.jar\", expected folders and jars that are there");
+        verify().assertRefused("referee.classPath: found \"no/such.jar\", expected folders and jars that are there");
     }
 
     /** A replay from somebody else may name any program of this machine. */
     @Test
     void theProgramThatAReplayNamesIsRunOnlyByAnOption() throws IOException {
-        Path file = folder.resolve("x.jsonl");
         match(scene("good", 2, ""), "--out", file.toString());
         Files.delete(folder.resolve("standin.py"));
         for (String[] call : new String[][] {{"replay", file.toString(), "--verify"},
@@ -204,7 +194,6 @@ class GuestMatchTest {
 
     @Test
     void theFirstDifferenceIsNamed() throws IOException {
-        Path file = folder.resolve("x.jsonl");
         Path script = Files.writeString(folder.resolve("referee.sh"), "exec python3 " + folder.resolve("standin.py")
             + " good");
         String scene = scene("good", 2, "");
@@ -213,46 +202,40 @@ class GuestMatchTest {
         match(scene, "--out", file.toString());
         Files.writeString(folder.resolve("standin.py"), Files.readString(folder.resolve("standin.py"))
             .replace("f\"KEY_FRAME {turn}\"", "f\"KEY_FRAME {turn // 5 * 5}\""));
-        Cli cli = Cli.run("replay", file.toString(), "--verify", "--run-referee");
+        Cli cli = verify();
         assertEquals(ExitStatus.FAILED, cli.status());
         assertTrue(cli.out().startsWith("differs: turn 2, "), cli.out());
         assertTrue(cli.out().contains("KEY_FRAME 1"), cli.out());
         Files.writeString(script, " ", StandardOpenOption.APPEND);
-        Cli.run("replay", file.toString(), "--verify", "--run-referee").assertRefused(
+        verify().assertRefused(
             "which is that of the referee's files here");
     }
 
     @Test
     void blocksThatAreNotDeterminedAreLeftOut() throws IOException {
-        Path file = folder.resolve("x.jsonl");
         match(scene("view", 2, ""), "--out", file.toString());
-        assertEquals(ExitStatus.FAILED, Cli.run("replay", file.toString(), "--verify", "--run-referee").status());
+        assertEquals(ExitStatus.FAILED, verify().status());
         match(scene("view", 2, ", \"undetermined\": [\"METADATA\"]"), "--out", file.toString(), "--overwrite");
-        assertEquals("verified: states of 20 of 20 turns and the result\n",
-            Cli.run("replay", file.toString(), "--verify", "--run-referee").out());
+        assertVerified(20);
     }
 
     @Test
     void timesThatCountAreRecordedAndPlayedAgain() throws IOException {
-        Path file = folder.resolve("x.jsonl");
         Cli cli = match(scene("monitored", 2, ""), "--out", file.toString()).done();
         assertTrue(Files.readString(file).contains("\"commands\":[{\"ms\":"), cli.out());
-        assertEquals("verified: states of 20 of 20 turns and the result\n",
-            Cli.run("replay", file.toString(), "--verify", "--run-referee").out());
+        assertVerified(20);
     }
 
     @Test
     void aBotThatFailsIsToldToTheRefereeAndTheGameGoesOn() throws IOException {
-        Path file = folder.resolve("x.jsonl");
         Cli cli = Cli.run("match", "--scene", scene("good", 3, ""), "--bot", bot("low", 2, "1", 99, ":"), "--bot",
             bot("dies", 2, "9", 2, "exit 3"), "--bot", bot("high", 2, "2", 99, ":"), "--seed", "7", "--json",
             "--out", file.toString(), "--time-factor", "20").done();
-        JsonNode result = JsonMapper.shared().readTree(cli.out());
+        JsonNode result = cli.json();
         assertEquals(10, result.at("/players/1/score").asDouble());      // 9 + 9 - 8 rounds without an answer
         assertEquals(20, result.at("/players/2/score").asDouble());
         assertTrue(result.at("/players/1/fault").asString().contains("exited with status 3"), cli.out());
-        assertEquals("verified: states of 23 of 23 turns and the result\n",
-            Cli.run("replay", file.toString(), "--verify", "--run-referee").out());
+        assertVerified(23);
     }
 
     /** Readers of Java and Python end a line there: the bot could speak as the host. */
@@ -362,11 +345,10 @@ class GuestMatchTest {
         Path scene = Files.writeString(folder.resolve("heap.json"), """
             {"name": "heap", "game": "guest", "players": 2,
              "referee": {"command": ["python3", "src/examples/referees/heap.py"]}}""");
-        Path file = folder.resolve("x.jsonl");
         Cli cli = Cli.run("match", "--scene", scene.toString(), "--bot", bot("one", 1, "1", 99, ":"), "--bot",
             bot("never", 1, "0", 99, ":"), "--time-factor", "50", "--out", file.toString()).done();
         assertTrue(cli.out().startsWith("one wins: the referee has ended the game, 2 turns (heap, "), cli.out());
-        assertTrue(Cli.run("replay", file.toString(), "--verify", "--run-referee").out().startsWith("verified"),
+        assertTrue(verify().out().startsWith("verified"),
             cli.out());
         assertTrue(Cli.run("replay", file.toString()).out().contains(" stones are left"), cli.out());
         String page = Files.readString(Path.of("docs/referees.md"));

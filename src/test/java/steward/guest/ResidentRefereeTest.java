@@ -50,6 +50,19 @@ class ResidentRefereeTest {
         return project.scene(players, more);
     }
 
+    /** Compiles the project with another referee. */
+    private void referee(String source) throws IOException {
+        StandInProject.compiled(folder, Files.writeString(Files.createDirectories(folder.resolve("source"))
+            .resolve("Referee.java"), source));
+    }
+
+    /** What adopting tells. */
+    private List<String> adopted() {
+        List<String> told = new ArrayList<>();
+        Adoption.scene(folder, null, null, "small", Isolation::usual, told::add);
+        return told;
+    }
+
     /** The summaries of a game in which all answer. */
     private static List<String> play(String scene, long seed) {
         GuestGame game = (GuestGame) new GuestType(false).open(SceneReader.read(scene, "test")).create(seed);
@@ -87,8 +100,7 @@ class ResidentRefereeTest {
     @Test
     @Tag("campaign")
     void aJvmWithFortyLoadersAliveIsStartedAnew() throws IOException {
-        StandInProject.compiled(folder, Files.writeString(Files.createDirectories(folder.resolve("source"))
-            .resolve("Referee.java"), """
+        referee("""
             public class Referee {
                 static {
                     System.getProperties().put(new Object(), Referee.class);
@@ -98,7 +110,7 @@ class ResidentRefereeTest {
                     return "game " + games;
                 }
             }
-            """));
+            """);
         String scene = scene(2, "");
         for (int game = 0; game < 45; game++) {
             assertEquals("game " + (game % 40 + 1), play(scene, 200).get(0));
@@ -153,8 +165,7 @@ class ResidentRefereeTest {
     /** Rules that only the next level has, by a number in the class files; games between idle bots show none of it. */
     @Test
     void aLevelPastTheFoldersIsTakenIfClassFilesKnowIt() throws IOException {
-        StandInProject.compiled(folder, Files.writeString(Files.createDirectories(folder.resolve("source"))
-            .resolve("Referee.java"), """
+        referee("""
             public class Referee {
                 private static final int LEVEL = Integer.getInteger("league.level");
 
@@ -162,7 +173,7 @@ class ResidentRefereeTest {
                     return "rules, chance " + seed + (LEVEL > 2 && turn > 9 ? " more" : "");
                 }
             }
-            """));
+            """);
         List<String> told = new ArrayList<>();
         String scene = Adoption.scene(folder, null, null, "small", Isolation::usual, told::add).json();
         assertEquals("league level: 3, since the folders end with level2, and the class files compare the level with "
@@ -175,8 +186,7 @@ class ResidentRefereeTest {
     /** As a contest whose third level was never made: the number in its class files is that of a level that fails. */
     @Test
     void aLevelWithoutAFolderThatFailsIsNone() throws IOException {
-        StandInProject.compiled(folder, Files.writeString(Files.createDirectories(folder.resolve("source"))
-            .resolve("Referee.java"), """
+        referee("""
             public class Referee {
                 public static String turn(int turn, long seed, int games) {
                     if (Integer.getInteger("league.level") > 2) {
@@ -185,10 +195,8 @@ class ResidentRefereeTest {
                     return "rules";
                 }
             }
-            """));
-        List<String> told = new ArrayList<>();
-        Adoption.scene(folder, null, null, "small", Isolation::usual, told::add);
-        assertEquals("league level: 2, since games at level 3 fail", told.get(1));
+            """);
+        assertEquals("league level: 2, since games at level 3 fail", adopted().get(1));
     }
 
     /** Games of one level that differ by themselves are no level; a bot that answers sees what idle ones do not. */
@@ -201,8 +209,7 @@ class ResidentRefereeTest {
         """)
     void gamesOfAnsweringBotsTellLevelsApart(String rule, String expected) throws IOException {
         assumeTrue(ProgramFinder.find("python3") != null, "skipped: needs python3");
-        StandInProject.compiled(folder, Files.writeString(Files.createDirectories(folder.resolve("source"))
-            .resolve("Referee.java"), """
+        referee("""
             public class Referee {
                 public static String turn(int turn, long seed, int games) {
                     String text = System.getProperty("league.level");
@@ -211,11 +218,9 @@ class ResidentRefereeTest {
                     return "rules";
                 }
             }
-            """.replace("RULE", rule)));
+            """.replace("RULE", rule));
         Files.writeString(folder.resolve("config/Boss.py"), "while True:\n    input()\n    print(4, flush=True)\n");
-        List<String> told = new ArrayList<>();
-        Adoption.scene(folder, null, null, "small", Isolation::usual, told::add);
-        assertEquals("league level: " + expected, told.get(1));
+        assertEquals("league level: " + expected, adopted().get(1));
     }
 
     @Test

@@ -1,8 +1,6 @@
 package steward.hostile;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,11 +14,9 @@ import steward.bot.isolation.HoldMeans;
 import steward.bot.isolation.Isolation;
 import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
-import steward.cli.Main;
-import steward.cli.streams.Streams;
+import steward.cli.Cli;
 import steward.text.EnumWords;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.json.JsonMapper;
 
 /**
  * Plays bots that burn processors against one that searches 50 of its 75 ms, many games of each case, and prints a row
@@ -146,17 +142,11 @@ public final class FairGround {
     /** Sides take turns: who is asked first in a turn may matter. */
     private Row row(Path scene, String word, String level, String time, int first, int seeds) {
         long begun = System.nanoTime();
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        ByteArrayOutputStream err = new ByteArrayOutputStream();
-        Main.run(new Streams(out, err, false, false), "match", "--scene", scene.toString(), "--games",
+        JsonNode result = Cli.run("match", "--scene", scene.toString(), "--games",
             "" + seeds, "--swap", "--seed", "" + first, "--sandbox", level, "--time", time, "--hold",
             option("hold", "burners"), "--threads", option("threads", "1"), "--json", "--bot",
             "hog=" + work.resolve("hog/hog") + " " + word + " " + (word.equals("own") ? SEARCH_MS : "0"), "--bot",
-            "honest=" + work.resolve("honest/honest") + " none " + SEARCH_MS);
-        if (!out.toString(StandardCharsets.UTF_8).startsWith("{")) {
-            throw new IllegalStateException(err.toString(StandardCharsets.UTF_8));
-        }
-        JsonNode result = JsonMapper.shared().readTree(out.toString(StandardCharsets.UTF_8));
+            "honest=" + work.resolve("honest/honest") + " none " + SEARCH_MS).json();
         int held = (int) StreamSupport.stream(result.path("list").spliterator(), false).filter(FairGround::isHeld)
             .count();
         return new Row(result.path("games").asInt(), result.path("bots").path(1).path("faults").asInt(),

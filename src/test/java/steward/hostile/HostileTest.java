@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,6 +18,7 @@ import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.command.ProgramFinder;
+import steward.bot.process.JavaProcess;
 
 /**
  * The short forms of what the Gradle tasks {@code hostile}, {@code killed} and {@code soak} do at length, each in a JVM
@@ -37,10 +37,8 @@ class HostileTest {
     private void run(TestReporter report, Class<?> program, String... more) throws IOException, InterruptedException {
         assumeTrue(ProgramFinder.find("sh") != null && ProgramFinder.find("setsid") != null
             && Files.isDirectory(Path.of("/proc/self")), "skipped: there is no sh, setsid or /proc");
-        List<String> words = new ArrayList<>(Jvm.words(temporary));
-        words.add(1, "-Xmx48m");
-        words.add(program.getName());
-        words.addAll(List.of(more));
+        List<String> words = JavaProcess.words(List.of("-Xmx48m", "-Djava.io.tmpdir=" + temporary), program,
+            List.of(more));
         Process process = new ProcessBuilder(words).redirectErrorStream(true).start();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(0, process.waitFor(), said);

@@ -1,8 +1,6 @@
 package steward.hostile;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -11,8 +9,9 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import steward.bot.isolation.SandboxLevel;
+import steward.bot.process.JavaProcess;
+import steward.cli.Cli;
 import steward.cli.Main;
-import steward.cli.streams.Streams;
 import steward.hostile.Attack.Effect;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -52,9 +51,6 @@ final class HostileTrial {
     record Finding(Effect effect, String verdict, long millis, List<String> problems) {
     }
 
-    private record Played(int status, String out, String err) {
-    }
-
     Finding play(Attack attack, SandboxLevel level) throws IOException, InterruptedException {
         List<String> problems = new ArrayList<>();
         String mark = "hostile" + Long.toUnsignedString(System.nanoTime(), 36);
@@ -68,7 +64,7 @@ final class HostileTrial {
             call.addAll(List.of("--memory", "64M"));
         }
         long start = System.nanoTime();
-        Played played = attack.referee() ? inItsOwn(call) : here(call);
+        Cli played = attack.referee() ? inItsOwn(call) : Cli.run(call);
         long millis = TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - start);
 
         boolean expectLeft = level == SandboxLevel.OFF && attack.off() == Effect.ESCAPES;
@@ -114,7 +110,7 @@ final class HostileTrial {
     String undisturbed(SandboxLevel level) throws IOException {
         Path replay = folder.resolve("next.jsonl");
         Files.deleteIfExists(replay);
-        Played played = here(call(next.toString(), level, replay, 20, programs.honest("a"), programs.honest("b")));
+        Cli played = Cli.run(call(next.toString(), level, replay, 20, programs.honest("a"), programs.honest("b")));
         if (played.status() != 0) {
             return played.status() + " " + played.out() + played.err();
         }
@@ -130,31 +126,22 @@ final class HostileTrial {
             "" + factor, "--json", "--out", replay.toString(), "--bot", bot, "--bot", other);
     }
 
-    private static Played here(List<String> call) {
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        ByteArrayOutputStream err = new ByteArrayOutputStream();
-        int status = Main.run(new Streams(out, err, false, false), call.toArray(new String[0]));
-        return new Played(status, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
-    }
-
-    private Played inItsOwn(List<String> call) throws IOException, InterruptedException {
-        List<String> words = new ArrayList<>(Jvm.words(temporary));
-        words.add(Main.class.getName());
-        words.addAll(call);
+    private Cli inItsOwn(List<String> call) throws IOException, InterruptedException {
+        List<String> words = JavaProcess.words(List.of("-Djava.io.tmpdir=" + temporary), Main.class, call);
         Path out = folder.resolve("out");
         Path err = folder.resolve("err");
         Process process = new ProcessBuilder(words).redirectOutput(out.toFile()).redirectError(err.toFile()).start();
         if (!process.waitFor(2, TimeUnit.MINUTES)) {
             process.destroyForcibly();
         }
-        return new Played(process.waitFor(), Files.readString(out), Files.readString(err));
+        return new Cli(process.waitFor(), Files.readString(out), Files.readString(err));
     }
 
-    private static JsonNode players(Played played) {
+    private static JsonNode players(Cli played) {
         return played.out().startsWith("{") ? JsonMapper.shared().readTree(played.out()).path("players") : null;
     }
 
-    private static String verdict(Played played) {
+    private static String verdict(Cli played) {
         JsonNode players = players(played);
         if (players == null) {
             return "the referee ended with status " + played.status();
@@ -163,7 +150,7 @@ final class HostileTrial {
         return fault.isString() ? fault.stringValue() : Attacks.NONE;
     }
 
-    private static boolean opponentFailed(Played played) {
+    private static boolean opponentFailed(Cli played) {
         JsonNode players = players(played);
         return players != null && players.path(1).path("fault").isString();
     }
@@ -174,7 +161,7 @@ final class HostileTrial {
         if (cut) {
             call.add("--partial");
         }
-        Played verified = here(call);
+        Cli verified = Cli.run(call);
         if (verified.status() != 0) {
             problems.add("the replay does not verify: " + verified.out() + verified.err());
         }

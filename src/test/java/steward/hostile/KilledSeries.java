@@ -1,9 +1,7 @@
 package steward.hostile;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -14,8 +12,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
+import steward.bot.process.JavaProcess;
+import steward.cli.Cli;
 import steward.cli.Main;
-import steward.cli.streams.Streams;
 
 /**
  * Ends a series of matches at random moments, by SIGKILL, SIGTERM and SIGINT, and looks at what is left: no process and
@@ -106,10 +105,9 @@ public final class KilledSeries {
         String mark = "killed" + Long.toUnsignedString(System.nanoTime(), 36);
         Path temporary = Files.createDirectory(work.resolve(mark));
         Path replays = Files.createDirectory(work.resolve(mark + "-replays"));
-        List<String> words = new ArrayList<>(Jvm.words(temporary));
-        words.addAll(List.of(Main.class.getName(), "match", "--scene", "duel", "--games", "2000", "--threads", "2",
-            "--no-deadline", "--sandbox", level.word(), "--quiet", "--out", replays.toString(), "--bot",
-            programs.honest(mark), "--bot", programs.honest(mark)));
+        List<String> words = JavaProcess.words(List.of("-Djava.io.tmpdir=" + temporary), Main.class, List.of("match",
+            "--scene", "duel", "--games", "2000", "--threads", "2", "--no-deadline", "--sandbox", level.word(),
+            "--quiet", "--out", replays.toString(), "--bot", programs.honest(mark), "--bot", programs.honest(mark)));
         Process process = new ProcessBuilder(words).redirectErrorStream(true)
             .redirectOutput(work.resolve("out").toFile()).start();
         for (int waited = 0; playing && waited < PATIENCE_MS && replays.toFile().list().length == 0; waited++) {
@@ -153,24 +151,19 @@ public final class KilledSeries {
                 Files.delete(replay);
                 return;
             }
-            ByteArrayOutputStream out = new ByteArrayOutputStream();
-            int whole = verify(replay, out);
-            boolean verified = whole == 0 || verify(replay, out, "--partial") == 0;
-            row.whole += whole == 0 ? 1 : 0;
-            row.cut += whole != 0 && verified ? 1 : 0;
+            List<String> call = List.of("replay", replay.toString(), "--verify", "--quiet");
+            boolean isWhole = Cli.run(call).status() == 0;
+            Cli partial = Cli.run(call, "--partial");
+            boolean verified = isWhole || partial.status() == 0;
+            row.whole += isWhole ? 1 : 0;
+            row.cut += !isWhole && verified ? 1 : 0;
             if (!verified) {
-                problems.add(when + replay.getFileName() + " does not verify: " + out.toString(StandardCharsets.UTF_8));
+                problems.add(when + replay.getFileName() + " does not verify: " + partial.out() + partial.err());
             } else {
                 Files.delete(replay);
             }
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
         }
-    }
-
-    private static int verify(Path replay, ByteArrayOutputStream out, String... more) {
-        List<String> call = new ArrayList<>(List.of("replay", replay.toString(), "--verify", "--quiet"));
-        call.addAll(List.of(more));
-        return Main.run(new Streams(out, out, false, false), call.toArray(new String[0]));
     }
 }

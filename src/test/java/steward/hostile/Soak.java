@@ -1,14 +1,11 @@
 package steward.hostile;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import steward.cli.Main;
-import steward.cli.streams.Streams;
+import steward.cli.Cli;
 
 /**
  * Plays thousands of quick matches between two programs in one JVM and prints how many threads, descriptors and files
@@ -72,12 +69,11 @@ public final class Soak {
     }
 
     private static void play(int matches, int seed, Path scene, Programs programs) {
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        int status = Main.run(new Streams(out, out, false, false), "match", "--scene", scene.toString(), "--games",
-            "" + matches, "--threads", "2", "--no-deadline", "--seed", "" + seed, "--quiet", "--bot",
-            programs.honest("a"), "--bot", programs.honest("b"));
-        if (status != 0) {
-            throw new IllegalStateException(status + ": " + out.toString(StandardCharsets.UTF_8));
+        Cli played = Cli.run("match", "--scene", scene.toString(), "--games", "" + matches, "--threads", "2",
+            "--no-deadline", "--seed", "" + seed, "--quiet", "--bot", programs.honest("a"), "--bot",
+            programs.honest("b"));
+        if (played.status() != 0) {
+            throw new IllegalStateException(played.toString());
         }
     }
 }

@@ -1,7 +1,6 @@
 package steward.live;
 
 import java.io.BufferedReader;
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
@@ -13,9 +12,7 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Base64;
 import java.util.List;
-import java.util.zip.GZIPInputStream;
 
 /** Clients of a live server: an ordinary one, and one that writes requests byte by byte. */
 public final class Clients implements AutoCloseable {
@@ -90,15 +87,6 @@ public final class Clients implements AutoCloseable {
 
     int rawStatus(String... lines) throws IOException {
         return Integer.parseInt(raw(lines).split(" ", 3)[1]);
-    }
-
-    /** The replay within a page. */
-    static byte[] embedded(String page) throws IOException {
-        int from = page.indexOf('>', page.indexOf("type=\"application/octet-stream\"")) + 1;
-        byte[] gzip = Base64.getDecoder().decode(page.substring(from, page.indexOf("</script>", from)));
-        try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(gzip))) {
-            return in.readAllBytes();
-        }
     }
 
     @Override

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import steward.replay.Recorded;
 import steward.replay.page.PageExtras;
+import steward.replay.page.PageTestPages;
 
 /** The server of a match that is being played, asked by real clients over the loopback interface. */
 @Timeout(30)
@@ -193,7 +194,7 @@ class LiveServerTest {
         assertTrue(half.contains("cut off after turn 4"), "it says where it ends");
         write(LINES.subList(5, LINES.size()));
         byte[] whole = (String.join("\n", LINES) + "\n").getBytes(StandardCharsets.UTF_8);
-        assertArrayEquals(whole, Clients.embedded(clients.body("match.html")));
+        assertArrayEquals(whole, PageTestPages.embedded(clients.body("match.html")));
     }
 
     @Test

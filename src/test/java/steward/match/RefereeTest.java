@@ -7,10 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.function.IntFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import steward.bot.Player;
 import steward.game.Game;
 import steward.game.GameJson;
@@ -28,6 +31,11 @@ class RefereeTest {
 
     private ScriptedPlayer player(String name, IntFunction<String> script) {
         return new ScriptedPlayer(name, log, script);
+    }
+
+    /** Idle, and late in one turn. */
+    private static IntFunction<String> failingIn(int turn) {
+        return question -> question < turn ? ScriptedPlayer.idle(question) : LATE;
     }
 
     private static MatchResult play(int players, MatchListener listener, Player... all) throws InterruptedException {
@@ -52,8 +60,8 @@ class RefereeTest {
 
     @Test
     void setupsFirstThenEveryTurnInTheOrderOfPlayers() throws InterruptedException {
-        play(3, NOBODY, player("A", k -> k < 2 ? ScriptedPlayer.idle(k) : LATE), player("B", ScriptedPlayer::idle),
-            player("C", k -> k < 3 ? ScriptedPlayer.idle(k) : LATE));
+        play(3, NOBODY, player("A", failingIn(2)), player("B", ScriptedPlayer::idle),
+            player("C", failingIn(3)));
 
         assertEquals(List.of("A setup", "B setup", "C setup", "A ask 1", "B ask 1", "C ask 1",
             "A ask 2", "A close", "B ask 2", "C ask 2",
@@ -75,7 +83,7 @@ class RefereeTest {
     @Test
     void theOtherWinsAndTheTurnOfTheFaultIsPlayed() throws InterruptedException {
         MatchResult result = play(2, NOBODY, player("A", ScriptedPlayer::idle),
-            player("B", k -> k < 5 ? ScriptedPlayer.idle(k) : LATE));
+            player("B", failingIn(5)));
 
         assertEquals(5, result.turns());
         assertEquals(0, result.winner());
@@ -86,23 +94,16 @@ class RefereeTest {
         assertNull(result.players().get(0).out());
     }
 
-    @Test
-    void aPlayerThatFailsInTheTurnInWhichTheOtherFinishesLoses() throws InterruptedException {
-        MatchResult result = play(2, startingWith(1, aboutToFinish()), player("A", k -> LATE),
+    /** Whether the other one finishes in that turn, or itself would. */
+    @ParameterizedTest
+    @CsvSource({"1, finished after 1 lap", "0, all others are out"})
+    void aPlayerThatFailsInTheTurnOfTheFinishLoses(int finishes, String ending) throws InterruptedException {
+        MatchResult result = play(2, startingWith(finishes, aboutToFinish()), player("A", k -> LATE),
             player("B", ScriptedPlayer::idle));
 
         assertEquals(1, result.winner());
-        assertEquals("finished after 1 lap", result.ending());
+        assertEquals(ending, result.ending());
         assertEquals(1, result.players().get(0).rank());
-    }
-
-    @Test
-    void aPlayerThatFailsInTheTurnInWhichItWouldFinishLosesToo() throws InterruptedException {
-        MatchResult result = play(2, startingWith(0, aboutToFinish()), player("A", k -> LATE),
-            player("B", ScriptedPlayer::idle));
-
-        assertEquals(1, result.winner());
-        assertEquals("all others are out", result.ending());
     }
 
     @Test
@@ -110,7 +111,7 @@ class RefereeTest {
         // 51 turns without a checkpoint put A and C out; B stands on its next one and passes it in the first turn.
         PodState atGoal = new PodState(10500, 3500, 0, 0, 0, 0, true, 0);
         play(3, startingWith(1, atGoal), player("A", ScriptedPlayer::idle),
-            player("B", k -> k < 60 ? ScriptedPlayer.idle(k) : LATE), player("C", ScriptedPlayer::idle));
+            player("B", failingIn(60)), player("C", ScriptedPlayer::idle));
 
         assertTrue(log.contains("A ask 51"));
         assertFalse(log.contains("A ask 52"));
@@ -127,19 +128,12 @@ class RefereeTest {
     }
 
     @Test
-    void oneLineEndsTheMatchForEverybodyWhoDidNotFail() throws InterruptedException {
-        play(3, NOBODY, player("A", k -> k < 3 ? ScriptedPlayer.idle(k) : LATE),
-            player("B", k -> k < 2 ? ScriptedPlayer.idle(k) : LATE), player("C", ScriptedPlayer::idle));
+    void ofThreeWhoFailedShareTheLastRankAndOneLineEndsTheMatchForTheOther() throws InterruptedException {
+        MatchResult result = play(3, NOBODY, player("A", failingIn(3)), player("B", failingIn(2)),
+            player("C", ScriptedPlayer::idle));
 
         assertEquals(List.of("B close", "A close", "C end"),
             log.stream().filter(line -> line.endsWith("close") || line.endsWith("end")).toList());
-    }
-
-    @Test
-    void ofThreePlayersThoseWhoFailedShareTheLastRank() throws InterruptedException {
-        MatchResult result = play(3, NOBODY, player("A", k -> k < 3 ? ScriptedPlayer.idle(k) : LATE),
-            player("B", k -> k < 2 ? ScriptedPlayer.idle(k) : LATE), player("C", ScriptedPlayer::idle));
-
         assertEquals(List.of(1, 1, 0), result.players().stream().map(MatchResult.PlayerResult::rank).toList());
         assertEquals(2, result.winner());
     }
@@ -165,14 +159,8 @@ class RefereeTest {
 
     @Test
     void asManyPlayersAsTheSceneHas() {
-        for (int count = 0; count <= 3; count++) {
-            List<Player> players = new ArrayList<>();
-            for (int k = 0; k < count; k++) {
-                players.add(player("P" + k, ScriptedPlayer::idle));
-            }
-            if (count == 2) {
-                continue;
-            }
+        for (int count : new int[] {0, 1, 3}) {
+            List<Player> players = Collections.nCopies(count, player("P", ScriptedPlayer::idle));
             IllegalArgumentException refusal = assertThrows(IllegalArgumentException.class,
                 () -> new Referee(TestScenes.open("duel"), 1, players, TimeControl.UNLIMITED, NOBODY));
             assertEquals(count + " bots, expected 2: the scene \"duel\" is for 2 players", refusal.getMessage());
@@ -182,7 +170,7 @@ class RefereeTest {
 
     @Test
     void theFirstAnswerHasALimitOfItsOwn() throws InterruptedException {
-        ScriptedPlayer first = player("A", k -> k < 3 ? ScriptedPlayer.idle(k) : LATE);
+        ScriptedPlayer first = player("A", failingIn(3));
         ScriptedPlayer second = player("B", ScriptedPlayer::idle);
         new Referee(TestScenes.open("duel"), 1, List.of(first, second), TimeControl.of(new Time(1000, 75), 2), NOBODY)
             .play();
@@ -194,7 +182,7 @@ class RefereeTest {
     @Test
     void answerTimesAreSummedUpWithTheFirstApart() throws InterruptedException {
         // The k-th answer takes k thousand nanoseconds, and beyond the second one three more lines were waiting.
-        MatchResult result = play(2, NOBODY, player("A", k -> k < 4 ? ScriptedPlayer.idle(k) : LATE),
+        MatchResult result = play(2, NOBODY, player("A", failingIn(4)),
             player("B", ScriptedPlayer::idle));
 
         MatchResult.PlayerResult a = result.players().get(0);
@@ -238,7 +226,7 @@ class RefereeTest {
                 heard.add("end " + result.turns());
             }
         };
-        play(2, listener, player("A", k -> k < 2 ? ScriptedPlayer.idle(k) : LATE), player("B", ScriptedPlayer::idle));
+        play(2, listener, player("A", failingIn(2)), player("B", ScriptedPlayer::idle));
 
         assertEquals(List.of("start", "commands 1 truetruetruetrue null 1000", "played 1",
             "commands 2 truefalsetruetrue no answer 2000", "played 2", "end 2"), heard);

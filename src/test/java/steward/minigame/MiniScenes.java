@@ -18,7 +18,7 @@ public final class MiniScenes {
     }
 
     /** The pond's scene with some texts, each of which must be there, replaced. */
-    static GameSetup pond(String... fromTo) {
+    public static GameSetup pond(String... fromTo) {
         return open(POND, "pond.json", fromTo);
     }
 

@@ -15,12 +15,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.bot.Bot;
 import steward.bot.InProcessPlayer;
+import steward.cli.ProcessTest;
+import steward.cli.ShellBots;
 import steward.game.GameSetup;
 import steward.match.Referee;
 import steward.match.SeededBot;
@@ -140,16 +141,8 @@ class SignedReplayTest {
             tail -1 match.jsonl | cut -d'"' -f8 | base64 -d > signature
             openssl pkeyutl -verify -rawin -pubin -inkey mine.pub -in text -sigfile signature
             """;
-        Process process;
-        try {
-            process = new ProcessBuilder("sh", "-c", script).directory(folder.toFile()).redirectErrorStream(true)
-                .start();
-        } catch (IOException problem) {
-            assumeTrue(false, "skipped: there is no shell");
-            return;
-        }
-        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        assertTrue(process.waitFor(20, TimeUnit.SECONDS));
+        assumeTrue(ShellBots.runnable(), "skipped: there is no shell");
+        String said = ProcessTest.shell("cd '" + folder + "'\n" + script);
         assumeTrue(!said.contains("not found") && !said.contains("rawin"), "skipped: " + said);
         assertTrue(said.contains("Signature Verified Successfully"), said);
     }

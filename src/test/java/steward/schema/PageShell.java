@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import steward.bot.command.CommandLine;
-import steward.cli.Cli;
+import steward.bot.process.JavaProcess;
 import steward.cli.Main;
 
 /** Shell that runs lines of pages in a folder, in whose {@code bin} is the program. */
@@ -36,7 +36,7 @@ final class PageShell {
             folders.append(File.pathSeparatorChar).append(one.toAbsolutePath().normalize());
         }
         path = folders.append(File.pathSeparatorChar).append(System.getenv("PATH")).toString();
-        String program = CommandLine.quote(Cli.jvm(Main.class));
+        String program = CommandLine.quote(JavaProcess.words(Main.class));
         executable("bin/steward", before + "exec " + program + " \"$@\"\n");
     }
 

@@ -2,11 +2,16 @@ package steward.bot.accounting;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 import steward.bot.TimeSpent;
 import steward.bot.TimeSpent.Shows;
 import steward.bot.accounting.TreeSample.ThreadTimes;
@@ -24,32 +29,59 @@ class TimeLedgerTest {
         return new TreeSample(at * MS, true, 1, steps * MS, threads, idle * MS);
     }
 
+    /** A sample of one thread. */
+    private static TreeSample one(long at, long steps, long idle, long run, long waited, long slices,
+                                  boolean runnable) {
+        return sample(at, steps, idle, Map.of(7L, thread(run, waited, slices, runnable)));
+    }
+
     /** Of 75 ms, the last 57 were seen. */
     private static TimeSpent spent(TimeLedger ledger) {
         return ledger.spent(75 * MS, 75 * MS, 2, false);
     }
 
-    private static void assertParts(long unobserved, long computed, long waited, long other, TimeSpent spent) {
-        assertEquals(unobserved + " " + computed + " " + waited + " " + other, spent.unobserved() / MS + " "
-            + spent.computed() / MS + " " + spent.waited() / MS + " " + spent.other() / MS);
+    /** @param parts unobserved, computed, waited and other */
+    private static void assertParts(String parts, TimeSpent spent) {
+        assertEquals(parts, spent.unobserved() / MS + " " + spent.computed() / MS + " " + spent.waited() / MS + " "
+            + spent.other() / MS);
         assertEquals(spent.taken(), spent.unobserved() + spent.computed() + spent.waited() + spent.other());
     }
 
-    /** It ran 3 of 57 ms and waited 50; others kept both processors busy: no idle time. */
-    @Test
-    void oneThreadBesideOthers() {
-        TimeLedger ledger = new TimeLedger(sample(18, 100, 900, Map.of(7L, thread(100, 40, 5, false))));
-        ledger.add(sample(75, 100, 900, Map.of(7L, thread(103, 90, 9, false))));
-        assertParts(18, 3, 50, 4, spent(ledger));
-        assertTrue(spent(ledger).starved());
+    /** Samples one after the other; what was unobserved, computed, waited and other; whether the machine starved it. */
+    static Stream<Arguments> partsOfThe75() {
+        double each = 114 / 32.0;
+        return Stream.of(
+            arguments("others keep both processors busy: it ran 3 of 57 ms and waited 50",
+                List.of(one(18, 100, 900, 100, 40, 5, false), one(75, 100, 900, 103, 90, 9, false)), "18 3 50 4", true),
+            arguments("runnable at all samples, and it never ran: time that the kernel has not yet counted",
+                List.of(one(18, 0, 0, 10, 0, 5, true), one(30, 0, 0, 10, 0, 5, true), one(75, 0, 0, 10, 0, 5, true)),
+                "18 0 57 0", true),
+            arguments("the kernel adds a whole wait of 60 ms, also from before, when the thread gets a processor",
+                List.of(one(18, 0, 0, 10, 0, 5, true), one(58, 0, 0, 10, 0, 5, true), one(75, 0, 0, 22, 60, 6, true)),
+                "18 12 45 0", true),
+            arguments("57 ms of computing while the other processor was idle",
+                List.of(one(18, 0, 0, 0, 0, 1, true), one(75, 0, 57, 57, 0, 1, true)), "18 57 0 0", false),
+            arguments("32 threads on 2 processors wait for one another",
+                List.of(sample(18, 0, 0, many(32, 0, 0)), sample(75, 0, 0, many(32, each, 57 - each))),
+                "18 57 0 0", false),
+            arguments("two threads, each a third of a processor beside four loops",
+                List.of(sample(18, 0, 0, many(2, 0, 0)), sample(75, 0, 0, many(2, 19, 38))), "18 19 38 0", true));
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @MethodSource("partsOfThe75")
+    void timeIsDividedUp(String what, List<TreeSample> samples, String parts, boolean isStarved) {
+        TimeLedger ledger = new TimeLedger(samples.get(0));
+        samples.subList(1, samples.size()).forEach(ledger::add);
+        assertParts(parts, spent(ledger));
+        assertEquals(isStarved, spent(ledger).starved());
         assertEquals(Shows.ALL, spent(ledger).shows());
-        assertEquals(3 * MS, ledger.cpu());
     }
 
     /** Each process of a chain lives for less than is between two looks: one is seen, and it stands for the others. */
     @Test
     void aProcessThatHasBegunAndRunsStandsForThoseBeforeIt() {
-        TimeLedger ledger = new TimeLedger(sample(0, 0, 0, Map.of(7L, thread(5, 0, 5, false))));
+        TimeLedger ledger = new TimeLedger(one(0, 0, 0, 5, 0, 5, false));
         ledger.add(sample(20, 0, 0, Map.of(7L, thread(5, 0, 5, false), 8L, thread(1, 0, 1, true))));
         ledger.add(sample(40, 0, 0, Map.of(7L, thread(5, 0, 5, false), 9L, thread(2, 0, 1, false))));
         assertEquals((20 + 2) * MS, ledger.probableCpu(), "the last does not run");
@@ -58,7 +90,7 @@ class TimeLedgerTest {
 
     /** Ten samples of a process that ran and waited, and of others beside it, each of which has just begun. */
     private static TimeLedger chains(int count, double run, double waited, double child) {
-        TimeLedger ledger = new TimeLedger(sample(0, 0, 0, Map.of(7L, thread(0, 0, 0, false))));
+        TimeLedger ledger = new TimeLedger(one(0, 0, 0, 0, 0, 0, false));
         for (int k = 1; k <= 10; k++) {
             Map<Long, ThreadTimes> threads = new HashMap<>(Map.of(7L,
                 new ThreadTimes(Math.round(k * run * MS), Math.round(k * waited * MS), k, false)));
@@ -95,42 +127,6 @@ class TimeLedgerTest {
         assertEquals(0, ledger.cpu());
     }
 
-    /** Time that the kernel has not yet counted: runnable at both samples, and it never ran. */
-    @Test
-    void aThreadThatStillWaitsHasWaited() {
-        TimeLedger ledger = new TimeLedger(sample(18, 0, 0, Map.of(7L, thread(10, 0, 5, true))));
-        ledger.add(sample(30, 0, 0, Map.of(7L, thread(10, 0, 5, true))));
-        ledger.add(sample(75, 0, 0, Map.of(7L, thread(10, 0, 5, true))));
-        assertParts(18, 0, 57, 0, spent(ledger));
-    }
-
-    /** The kernel adds the whole wait of 60 ms, also from before the first look, when the thread gets a processor. */
-    @Test
-    void whatTheKernelAddsLaterIsNotCountedTwice() {
-        TimeLedger ledger = new TimeLedger(sample(18, 0, 0, Map.of(7L, thread(10, 0, 5, true))));
-        ledger.add(sample(58, 0, 0, Map.of(7L, thread(10, 0, 5, true))));
-        ledger.add(sample(75, 0, 0, Map.of(7L, thread(22, 60, 6, true))));
-        assertParts(18, 12, 45, 0, spent(ledger));
-    }
-
-    /** 57 ms of computing on an idle machine: the other processor was idle all the time. */
-    @Test
-    void oneThreadThatComputes() {
-        TimeLedger ledger = new TimeLedger(sample(18, 0, 0, Map.of(7L, thread(0, 0, 1, true))));
-        ledger.add(sample(75, 0, 57, Map.of(7L, thread(57, 0, 1, true))));
-        assertParts(18, 57, 0, 0, spent(ledger));
-        assertFalse(spent(ledger).starved());
-    }
-
-    /** 32 threads on 2 processors: they ran 2 * 57 ms in all, and waited for one another for the rest. */
-    @Test
-    void threadsThatWaitForOneAnotherCompute() {
-        TimeLedger ledger = new TimeLedger(sample(18, 0, 0, many(32, 0, 0)));
-        ledger.add(sample(75, 0, 0, many(32, 114 / 32.0, 57 - 114 / 32.0)));
-        assertParts(18, 57, 0, 0, spent(ledger));
-        assertFalse(spent(ledger).starved());
-    }
-
     /** Four busy loops beside it, which get 4 of 36 parts: the bot's own threads are what it waits for. */
     @Test
     void threadsThatStarveThemselvesBesideOthersCompute() {
@@ -140,15 +136,6 @@ class TimeLedgerTest {
         TimeSpent spent = spent(ledger);
         assertFalse(spent.starved(), spent.text());
         assertEquals(4 * each / 2 * MS, spent.waited(), MS, "the share of the others, on two processors");
-    }
-
-    /** Two threads, each a third of a processor beside four loops: they ran 19 of 57 ms each and waited the rest. */
-    @Test
-    void twoThreadsBesideOthersAreStarved() {
-        TimeLedger ledger = new TimeLedger(sample(18, 0, 0, many(2, 0, 0)));
-        ledger.add(sample(75, 0, 0, many(2, 19, 38)));
-        assertParts(18, 19, 38, 0, spent(ledger));
-        assertTrue(spent(ledger).starved());
     }
 
     private static Map<Long, ThreadTimes> many(int count, double run, double waited) {
@@ -162,16 +149,16 @@ class TimeLedgerTest {
     /** A child has come, computed 30 ms and gone: the parent's coarse count has them, cut to steps. */
     @Test
     void timeOfThoseThatHaveEndedComesInSteps() {
-        TimeLedger ledger = new TimeLedger(sample(18, 100, 0, Map.of(7L, thread(1, 0, 5, false))));
-        ledger.add(sample(75, 150, 84, Map.of(7L, thread(2, 0, 6, false))));
+        TimeLedger ledger = new TimeLedger(one(18, 100, 0, 1, 0, 5, false));
+        ledger.add(one(75, 150, 84, 2, 0, 6, false));
         assertEquals(30 * MS, ledger.cpu(), "50 ms less two steps that may be rounding");
-        assertParts(18, 30, 0, 27, spent(ledger));
+        assertParts("18 30 0 27", spent(ledger));
         assertEquals(Shows.ALL_IN_STEPS, spent(ledger).shows());
     }
 
     @Test
     void aThreadThatHasBegunSinceCountsWhole() {
-        TimeLedger ledger = new TimeLedger(sample(18, 0, 0, Map.of(7L, thread(500, 0, 5, false))));
+        TimeLedger ledger = new TimeLedger(one(18, 0, 0, 500, 0, 5, false));
         ledger.add(sample(75, 0, 114, Map.of(7L, thread(500, 0, 5, false), 8L, thread(20, 0, 1, false))));
         assertEquals(20 * MS, ledger.cpu());
     }
@@ -180,7 +167,7 @@ class TimeLedgerTest {
     void withoutCountsOfThreadsThereAreSteps() {
         TimeLedger ledger = new TimeLedger(sample(18, 100, 0, null));
         ledger.add(sample(75, 130, 0, null));
-        assertParts(18, 30, 0, 27, spent(ledger));
+        assertParts("18 30 0 27", spent(ledger));
         assertEquals(Shows.STEPS, spent(ledger).shows());
     }
 
@@ -203,17 +190,18 @@ class TimeLedgerTest {
     @Test
     void fromTheStartOfAProgramNothingIsUnobserved() {
         TimeLedger ledger = new TimeLedger(TreeSample.beforeStart(0, 0));
-        ledger.add(sample(75, 10, 130, Map.of(7L, thread(15, 3, 5, false))));
-        assertParts(0, 15, 3, 57, spent(ledger));
+        ledger.add(one(75, 10, 130, 15, 3, 5, false));
+        assertParts("0 15 3 57", spent(ledger));
     }
 
     /** Of 570 ms between the samples 57 are charged; in all it ran for a fifth and waited for two. */
     @Test
     void whereTimeIsNotChargedThePartsAreInProportion() {
-        TimeLedger ledger = new TimeLedger(sample(18, 0, 0, Map.of(7L, thread(0, 0, 5, false))));
-        ledger.add(sample(588, 0, 0, Map.of(7L, thread(114, 228, 9, false))));
-        assertParts(0, 15, 30, 30, spent(ledger));
-        assertParts(0, 11, 22, 22, ledger.spent(75 * MS, 57 * MS, 2, false));
+        TimeLedger ledger = new TimeLedger(one(18, 0, 0, 0, 0, 5, false));
+        ledger.add(one(588, 0, 0, 114, 228, 9, false));
+        assertEquals(114 * MS, ledger.cpu());
+        assertParts("0 15 30 30", spent(ledger));
+        assertParts("0 11 22 22", ledger.spent(75 * MS, 57 * MS, 2, false));
     }
 
     /** Idle time is known from 20 ms on: of 2 * 55 ms nothing was idle, 8 were the bot's. */
@@ -222,6 +210,6 @@ class TimeLedgerTest {
         TimeLedger ledger = new TimeLedger(new TreeSample(0, true, 1, 0, many(2, 0, 0), -1));
         ledger.add(sample(20, 0, 500, many(2, 0, 0)));
         ledger.add(sample(75, 0, 500, many(2, 4, 50)));
-        assertParts(0, 5, 69, 0, spent(ledger));
+        assertParts("0 5 69 0", spent(ledger));
     }
 }

@@ -11,8 +11,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import steward.bot.command.Program;
 import steward.bot.hold.HoldPolicy;
 
@@ -30,18 +34,22 @@ class StrictViewTest {
         return file;
     }
 
-    @Test
-    void aProgramHasItsFolder() throws IOException {
-        Path bot = program("mine/bot", "");
-        assertEquals(Set.of(folder.resolve("mine")), OwnFiles.of(Program.here(List.of(bot.toString()))));
-    }
-
-    @Test
-    void anInterpreterHasItsInstallationAndAScriptItsFolder() throws IOException {
-        Path python = program("pyenv/shims/python", "");
-        Path script = program("mine/bot.py", "");
-        assertEquals(Set.of(folder.resolve("pyenv"), folder.resolve("mine")),
-            OwnFiles.of(Program.here(List.of(python.toString(), "-u", script.toString()))));
+    /** Programs that there are, with what they hold behind =; the words of a bot; the folders that are its own. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+        mine/bot                                      | TMP/mine/bot                               | mine
+        pyenv/shims/python mine/bot.py                | TMP/pyenv/shims/python -u TMP/mine/bot.py  | pyenv mine
+        ruby/bin/ruby mine/bot=#!TMP/ruby/bin/ruby~-w | TMP/mine/bot                               | ruby mine
+        jdk/bin/java libs/a.jar classes/Bot.class     | TMP/jdk/bin/java -cp TMP/libs/a.jar:TMP/classes Bot | \
+        jdk libs classes
+        """)
+    void aBotHasItsFolderAndThatOfItsInterpreter(String programs, String words, String own) throws IOException {
+        for (String each : programs.split(" ")) {
+            String[] parts = each.split("=");
+            program(parts[0], parts.length == 1 ? "" : parts[1].replace("TMP", folder.toString()).replace('~', ' '));
+        }
+        assertEquals(Stream.of(own.split(" ")).map(folder::resolve).collect(Collectors.toSet()),
+            OwnFiles.of(Program.here(List.of(words.replace("TMP", folder.toString()).split(" ")))));
     }
 
     @Test
@@ -52,23 +60,6 @@ class StrictViewTest {
         Files.createSymbolicLink(link, real);
         assertEquals(Set.of(folder.resolve("venv"), folder.resolve("versions/3")),
             OwnFiles.of(Program.here(List.of(link.toString()))));
-    }
-
-    @Test
-    void theInterpreterInTheFirstLineIsLetIn() throws IOException {
-        Path ruby = program("ruby/bin/ruby", "");
-        Path bot = program("mine/bot", "#!" + ruby + " -w\nputs 1\n");
-        assertEquals(Set.of(folder.resolve("mine"), folder.resolve("ruby")),
-            OwnFiles.of(Program.here(List.of(bot.toString()))));
-    }
-
-    @Test
-    void classPathsAreTakenApart() throws IOException {
-        Path java = program("jdk/bin/java", "");
-        Path jar = program("libs/a.jar", "");
-        Path classes = Files.createDirectories(folder.resolve("classes"));
-        assertEquals(Set.of(folder.resolve("jdk"), folder.resolve("libs"), classes),
-            OwnFiles.of(Program.here(List.of(java.toString(), "-cp", jar + ":" + classes, "Bot"))));
     }
 
     @Test
@@ -96,12 +87,24 @@ class StrictViewTest {
         return made;
     }
 
-    /** In a folder that is not shown there is nothing to hide. */
-    @Test
-    void itsOwnFolderIsShownAndNoOther() throws IOException {
-        Path mine = program("bots/mine/bot", "");
-        Path other = program("bots/other/bot", "");
-        assertEquals(Map.of(mine.getParent(), StrictView.Treatment.SHOW), made(view(mine, other)));
+    /**
+     * A bot, another, a folder that is shown as well ({@code .} is that of the test), and what becomes of which place,
+     * in order. In a folder that is not shown there is nothing to hide; a bot inside the folder of another is shown
+     * in it, and not hidden with it.
+     */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+        bots/mine/bot | bots/other/bot |   | bots/mine SHOW
+        bots/mine/bot | bots/other/bot | . | . SHOW, bots/other HIDE_FOLDER
+        bots/mine/bot | bots/bot       | . | . SHOW, bots HIDE_FOLDER, bots/mine SHOW
+        bots/mine     | bots/other     |   | bots SHOW, bots/other HIDE_FILE
+        """)
+    void itsOwnFolderIsShownAndOthersAreHiddenInWhatIsShown(String mine, String other, String visible, String expected)
+            throws IOException {
+        Path[] shown = visible == null ? new Path[0] : new Path[] {folder};
+        assertEquals(expected, made(view(program(mine, ""), program(other, ""), shown)).entrySet().stream()
+            .map(entry -> (entry.getKey().equals(folder) ? "." : folder.relativize(entry.getKey())) + " "
+                + entry.getValue()).collect(Collectors.joining(", ")));
     }
 
     /** A bot is started in the present folder, which has to be there, also where that is another bot's own. */
@@ -110,33 +113,6 @@ class StrictViewTest {
         assertEquals(StrictView.Treatment.EMPTY_FOLDER, StrictView.of(Program.here(List.of("/usr/bin/env")),
             List.of(Program.here(List.of("sh", "build.gradle"))), Isolation.at(SandboxLevel.STRICT)).entries()
             .get(Path.of("").toAbsolutePath()).treatment());
-    }
-
-    @Test
-    void foldersOfOtherBotsAreHiddenInWhatIsShown() throws IOException {
-        Path mine = program("bots/mine/bot", "");
-        Path other = program("bots/other/bot", "");
-        assertEquals(Map.of(folder, StrictView.Treatment.SHOW, other.getParent(), StrictView.Treatment.HIDE_FOLDER),
-            made(view(mine, other, folder)));
-    }
-
-    /** A bot inside the folder of another is shown in it, and not hidden with it. */
-    @Test
-    void aFolderInsideAnothersIsShown() throws IOException {
-        Path other = program("bots/bot", "");
-        Path mine = program("bots/mine/bot", "");
-        Map<Path, StrictView.Treatment> made = made(view(mine, other, folder));
-        assertEquals(List.of(folder, other.getParent(), mine.getParent()), List.copyOf(made.keySet()));
-        assertEquals(List.of(StrictView.Treatment.SHOW, StrictView.Treatment.HIDE_FOLDER, StrictView.Treatment.SHOW),
-            List.copyOf(made.values()));
-    }
-
-    @Test
-    void inOneFolderTheOthersProgramIsHidden() throws IOException {
-        Path mine = program("bots/mine", "");
-        Path other = program("bots/other", "");
-        assertEquals(Map.of(mine.getParent(), StrictView.Treatment.SHOW, other, StrictView.Treatment.HIDE_FILE),
-            made(view(mine, other)));
     }
 
     @Test

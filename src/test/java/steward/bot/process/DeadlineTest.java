@@ -32,10 +32,6 @@ class DeadlineTest {
         }
     };
 
-    private void assertExpires() throws InterruptedException {
-        assertTrue(expired.tryAcquire(60, TimeUnit.SECONDS), "the deadline was missed");
-    }
-
     @Test
     void anAnswerInTimeWins() {
         Deadline deadline = new Deadline(Watchdog.shared(), owner);
@@ -52,13 +48,18 @@ class DeadlineTest {
         assertEquals(0, expired.availablePermits());
     }
 
-    @Test
-    void aDeadlineThatHasPassedWins() throws InterruptedException {
+    private Deadline passed(long now) throws InterruptedException {
         Deadline deadline = new Deadline(Watchdog.shared(), owner);
         deadline.arm(1000, 5000);
         answer.set(QuestionClock.PASSED);
-        deadline.check(5001, 0);
-        assertExpires();
+        deadline.check(now, 0);
+        assertTrue(expired.tryAcquire(60, TimeUnit.SECONDS), "the deadline was missed");
+        return deadline;
+    }
+
+    @Test
+    void aDeadlineThatHasPassedWins() throws InterruptedException {
+        Deadline deadline = passed(5001);
         assertFalse(deadline.isPending());
         assertFalse(deadline.complete());
         assertTrue(deadline.isExpired());
@@ -68,11 +69,7 @@ class DeadlineTest {
 
     @Test
     void anAbandonedThreadHasLost() throws InterruptedException {
-        Deadline deadline = new Deadline(Watchdog.shared(), owner);
-        deadline.arm(1000, 5000);
-        answer.set(QuestionClock.PASSED);
-        deadline.check(5000, 0);
-        assertExpires();
+        Deadline deadline = passed(5000);
         assertTrue(deadline.abandon());
         assertFalse(deadline.claim());
         assertFalse(deadline.complete());

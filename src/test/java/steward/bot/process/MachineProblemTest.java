@@ -68,9 +68,8 @@ class MachineProblemTest {
     @Test
     void noFolderForTemporaryFilesIsNoFault(@TempDir Path folder) throws IOException, InterruptedException {
         assumeTrue(Files.isExecutable(Path.of("/bin/sh")), "skipped: there is no /bin/sh");
-        Process child = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-Djava.io.tmpdir=" + folder.resolve("none"), "-cp", System.getProperty("java.class.path"),
-            AskOnce.class.getName())
+        Process child = new ProcessBuilder(JavaProcess.words(List.of("-Djava.io.tmpdir=" + folder.resolve("none")),
+            AskOnce.class, List.of()))
             .redirectErrorStream(true).start();
         String said = new String(child.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
 

@@ -136,7 +136,7 @@ public final class ScriptedBots {
         }
     }
 
-    static void assertGone(long pid) {
+    public static void assertGone(long pid) {
         await("process " + pid + " is still there", () -> !isRunning(pid));
     }
 

@@ -189,7 +189,7 @@ class StrictFilesTest {
         assertEquals(List.of(module.getParent().getParent()), MissingFiles.of(Program.here(command),
             List.of("Error: Cannot find module 'left-pad'"), strict));
         assertEquals(List.of(), MissingFiles.of(Program.here(command),
-            List.of("/usr: /tmp /bin/sh " + bot + " /no/such/file"), strict));
+            List.of("/usr: /tmp /bin/sh " + bot + " " + folder + "/no/file"), strict));
         assertEquals(List.of(data.getParent()), MissingFiles.of(Program.here(command),
             List.of("no luck in " + data.getParent()), strict));
     }

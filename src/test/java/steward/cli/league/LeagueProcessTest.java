@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.bot.process.JavaProcess;
 import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.SeveralCalls;
@@ -53,11 +54,9 @@ class LeagueProcessTest {
     }
 
     private Process start(Path out, String... arguments) throws IOException {
-        List<String> command = new ArrayList<>(Cli.jvm(Main.class, "-Djava.io.tmpdir="
-            + Files.createDirectories(folder.resolve("tmp"))));
-        command.addAll(List.of(arguments));
-        return new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true)
-            .redirectOutput(out.toFile()).start();
+        return new ProcessBuilder(JavaProcess.words(List.of("-Djava.io.tmpdir="
+            + Files.createDirectories(folder.resolve("tmp"))), Main.class, List.of(arguments)))
+            .directory(folder.toFile()).redirectErrorStream(true).redirectOutput(out.toFile()).start();
     }
 
     /** Makes a league, in this JVM: each start of Java takes a second. */
@@ -178,9 +177,8 @@ class LeagueProcessTest {
                 "--out", "games"),
             List.of("replay", "games/game-0001.jsonl", "--verify"), List.of("explain", "short.json"),
             List.of("--help"), List.of("league", "table", "none"), List.of("league", "run", "league", "--games", "1"));
-        List<String> words = new ArrayList<>(Cli.jvm(SeveralCalls.class, "-Xlog:class+load"));
-        words.addAll(SeveralCalls.words(calls));
-        int status = new ProcessBuilder(words).directory(folder.toFile()).redirectErrorStream(true)
+        int status = new ProcessBuilder(JavaProcess.words(List.of("-Xlog:class+load"), SeveralCalls.class,
+            SeveralCalls.words(calls))).directory(folder.toFile()).redirectErrorStream(true)
             .redirectOutput(out.toFile()).start().waitFor();
         String said = read(out);
         assertEquals(0, status, said);

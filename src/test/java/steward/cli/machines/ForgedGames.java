@@ -35,11 +35,7 @@ public final class ForgedGames extends MachinesProof {
         try {
             forged.play(way);
         } finally {
-            forged.over = true;
-            forged.started.forEach(Process::destroyForcibly);
-            for (Process process : forged.started) {
-                process.waitFor();
-            }
+            forged.end();
         }
         return forged.problems;
     }

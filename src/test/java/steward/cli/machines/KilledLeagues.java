@@ -61,11 +61,9 @@ public final class KilledLeagues extends MachinesProof {
     /** Reads the options, plays, prints. */
     public static void main(String[] arguments) throws Exception {
         List<String> options = List.of(arguments);
-        List<String> problems = kill(Files.createTempDirectory("killed-"), option(options, "--kills", 100),
+        exit(kill(Files.createTempDirectory("killed-"), option(options, "--kills", 100),
             option(options, "--games", 120), option(options, "--seed", (int) System.nanoTime() >>> 1),
-            System.out::print);
-        problems.forEach(problem -> System.out.println("PROBLEM: " + problem));
-        System.exit(problems.isEmpty() ? 0 : 1);
+            System.out::print));
     }
 
     /** Plays and kills. @return what is not as it should be */
@@ -79,7 +77,7 @@ public final class KilledLeagues extends MachinesProof {
                 }
             }
         } finally {
-            leagues.started.forEach(Process::destroyForcibly);
+            leagues.end();
         }
         leagues.tell("killed (SIGKILL)", leagues.killed);
         leagues.tell("  with a worker, which was killed too", leagues.served);

@@ -1,10 +1,7 @@
 package steward.cli.machines;
 
-import java.io.ByteArrayOutputStream;
-import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -15,12 +12,12 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import java.util.stream.Stream;
+import steward.bot.process.JavaProcess;
+import steward.cli.Cli;
 import steward.cli.FreePort;
 import steward.cli.Main;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
-import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.league.Season;
@@ -81,11 +78,8 @@ public class MachinesProof {
     /** Reads the options, plays, prints. */
     public static void main(String[] arguments) throws Exception {
         List<String> options = List.of(arguments);
-        List<String> problems = play(Files.createTempDirectory("machines-"), option(options, "--games", 1000),
-            option(options, "--stop", 30), option(options, "--pause", 300), System.out::print);
-        problems.forEach(problem -> System.out.println("PROBLEM: " + problem));
-        System.out.println(problems.size() + " problems");
-        System.exit(problems.isEmpty() ? 0 : 1);
+        exit(play(Files.createTempDirectory("machines-"), option(options, "--games", 1000),
+            option(options, "--stop", 30), option(options, "--pause", 300), System.out::print));
     }
 
     /**
@@ -100,10 +94,7 @@ public class MachinesProof {
         try {
             proof.play();
         } finally {
-            proof.started.forEach(Process::destroyForcibly);
-            for (Process process : proof.started) {
-                process.waitFor();
-            }
+            proof.end();
         }
         return proof.problems;
     }
@@ -120,23 +111,18 @@ public class MachinesProof {
     // ---- programs --------------------------------------------------------------------------------
 
     Process start(String name, String... arguments) throws IOException {
-        List<String> words = new ArrayList<>(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "--enable-native-access=ALL-UNNAMED", "-Djava.io.tmpdir="
-            + Files.createDirectories(folder.resolve("tmp")), "-cp", Stream.of(System.getProperty("java.class.path")
-                .split(File.pathSeparator)).map(part -> Path.of(part).toAbsolutePath().toString())
-                .reduce((one, other) -> one + File.pathSeparator + other).orElseThrow(), Main.class.getName()));
-        words.addAll(List.of(arguments));
-        Process process = new ProcessBuilder(words).directory(folder.toFile())
-            .redirectOutput(folder.resolve(name + ".out").toFile())
+        Process process = new ProcessBuilder(JavaProcess.words(List.of("-Djava.io.tmpdir="
+            + Files.createDirectories(folder.resolve("tmp"))), Main.class, List.of(arguments)))
+            .directory(folder.toFile()).redirectOutput(folder.resolve(name + ".out").toFile())
             .redirectError(folder.resolve(name + ".err").toFile()).start();
         started.add(process);
         return process;
     }
 
     void run(String... arguments) {
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        if (Main.run(new Streams(out, out, false, false), arguments) != 0) {
-            throw new IllegalStateException(out.toString(StandardCharsets.UTF_8));
+        Cli call = Cli.run(arguments);
+        if (call.status() != 0) {
+            throw new IllegalStateException(call.out() + call.err());
         }
     }
 
@@ -228,10 +214,9 @@ public class MachinesProof {
     }
 
     private String table(String league) {
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        Main.run(new Streams(out, out, false, false), "league", "table", folder.resolve(league).toString(), "--csv");
         // The last two columns are answer times.
-        return out.toString(StandardCharsets.UTF_8).replaceAll("(?m),[^,\n]*,[^,\n]*$", "");
+        return Cli.run("league", "table", folder.resolve(league).toString(), "--csv").out()
+            .replaceAll("(?m),[^,\n]*,[^,\n]*$", "");
     }
 
     private int await(Process league, int stored, String worker) throws InterruptedException {
@@ -328,10 +313,7 @@ public class MachinesProof {
         check(alone.size() == games && lost == 0 && doubled == 0, "games are lost or doubled");
         check(expected.equals(found), "the games are others than on a single machine");
         check(table("alone").equals(table("many")), "the table is another:\n" + table("alone") + table("many"));
-        Map<String, Integer> players = new TreeMap<>();
-        many.forEach(row -> players.merge(row.machine().startsWith("worker ") ? row.machine().replaceAll(":.*", "")
-            : "the league itself", 1, Integer::sum));
-        players.forEach((player, count) -> tell("played by " + player, count));
+        Map<String, Integer> players = tellPlayers(many);
         check(players.keySet().containsAll(List.of("worker one", "worker two", "worker three")),
             "a worker has played no game: " + players);
         long later = many.stream().filter(row -> row.machine().startsWith("worker two")
@@ -341,6 +323,31 @@ public class MachinesProof {
         for (String name : List.of("league 1", "league 2", "worker one", "worker two", "worker three")) {
             foreignLines(folder.resolve(name + ".err")).forEach(line -> problems.add(name + " prints: " + line));
         }
+    }
+
+    /** Tells how many games each worker has played, and the league. */
+    Map<String, Integer> tellPlayers(List<Row> rows) {
+        Map<String, Integer> players = new TreeMap<>();
+        rows.forEach(row -> players.merge(row.machine().startsWith("worker ") ? row.machine().replaceAll(":.*", "")
+            : "the league itself", 1, Integer::sum));
+        players.forEach((player, count) -> tell("played by " + player, count));
+        return players;
+    }
+
+    /** Ends what it has started. */
+    void end() throws InterruptedException {
+        over = true;
+        started.forEach(Process::destroyForcibly);
+        for (Process process : started) {
+            process.waitFor();
+        }
+    }
+
+    /** Prints the problems, and ends this JVM. */
+    static void exit(List<String> problems) {
+        problems.forEach(problem -> System.out.println("PROBLEM: " + problem));
+        System.out.println(problems.size() + " problems");
+        System.exit(problems.isEmpty() ? 0 : 1);
     }
 
     /** Lines on stderr that are not ours, such as those of a library that logs. */

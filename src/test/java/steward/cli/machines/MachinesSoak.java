@@ -49,12 +49,9 @@ public final class MachinesSoak extends MachinesProof {
         try {
             soak.play(option(options, "--minutes", 30), option(options, "--seed", 1));
         } finally {
-            soak.over = true;
-            soak.started.forEach(Process::destroyForcibly);
+            soak.end();
         }
-        soak.problems.forEach(problem -> System.out.println("PROBLEM: " + problem));
-        System.out.println(soak.problems.size() + " problems");
-        System.exit(soak.problems.isEmpty() ? 0 : 1);
+        exit(soak.problems);
     }
 
     private Process league(int number) throws IOException {
@@ -143,10 +140,7 @@ public final class MachinesSoak extends MachinesProof {
         tell("games", rows.size());
         tell("lost", lost);
         tell("doubled", doubled);
-        Map<String, Integer> players = new TreeMap<>();
-        rows.forEach(row -> players.merge(row.machine().startsWith("worker ") ? row.machine().replaceAll(":.*", "")
-            : "the league itself", 1, Integer::sum));
-        players.forEach((player, count) -> tell("played by " + player, count));
+        Map<String, Integer> players = tellPlayers(rows);
         WorkerList list = WorkerList.read(new LeagueFolder(folder.resolve("many")));
         List<String> convicted = list.workers().stream().filter(worker -> worker.revoked() != null)
             .map(WorkerList.Worker::name).toList();

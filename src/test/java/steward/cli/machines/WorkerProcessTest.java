@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
-import java.io.File;
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.net.InetAddress;
@@ -29,6 +28,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.bot.process.JavaProcess;
 import steward.bot.process.ScriptedBots;
 import steward.cli.Cli;
 import steward.cli.FreePort;
@@ -125,13 +125,17 @@ class WorkerProcessTest {
         }, THREADS);
     }
 
+    /** Words of a worker with a new token. */
+    private String[] joining(String name, String... options) {
+        done("worker", "add", folder.resolve("night").toString(), name, "--out", token(name).toString());
+        return Cli.words(List.of("worker", "--join", "127.0.0.1:" + port, "--token-file", token(name).toString(),
+            "--bundles", folder.resolve("bundles " + name).toString(), "--sandbox", "off"), options);
+    }
+
     /** A worker in this JVM, with a new token. */
     private CompletableFuture<Cli> here(String name, String... options) {
-        done("worker", "add", folder.resolve("night").toString(), name, "--out", token(name).toString());
-        List<String> words = new ArrayList<>(List.of("worker", "--join", "127.0.0.1:" + port, "--token-file",
-            token(name).toString(), "--bundles", folder.resolve("bundles " + name).toString(), "--sandbox", "off"));
-        words.addAll(List.of(options));
-        return CompletableFuture.supplyAsync(() -> Cli.run(words.toArray(new String[0])), THREADS);
+        String[] words = joining(name, options);
+        return CompletableFuture.supplyAsync(() -> Cli.run(words), THREADS);
     }
 
     /** Plays what is left, in this JVM, and returns what the league has said. */
@@ -146,16 +150,8 @@ class WorkerProcessTest {
 
     /** A worker with a new token, after the words of {@code before}. */
     private Process worker(String name, List<String> before, String... options) throws IOException {
-        done("worker", "add", folder.resolve("night").toString(), name, "--out", token(name).toString());
         List<String> words = new ArrayList<>(before);
-        words.addAll(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-XX:-UsePerfData", "--enable-native-access=ALL-UNNAMED",
-            "-cp", Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
-                .map(part -> Path.of(part).toAbsolutePath().toString())
-                .reduce((one, other) -> one + File.pathSeparator + other).orElseThrow(), Main.class.getName(),
-            "worker", "--join", "127.0.0.1:" + port, "--token-file", token(name).toString(), "--bundles",
-            folder.resolve("bundles " + name).toString(), "--sandbox", "off"));
-        words.addAll(List.of(options));
+        words.addAll(JavaProcess.words(Main.class, joining(name, options)));
         Process process = new ProcessBuilder(words).directory(folder.toFile())
             .redirectOutput(folder.resolve(name + ".out").toFile())
             .redirectError(folder.resolve(name + ".err").toFile()).start();

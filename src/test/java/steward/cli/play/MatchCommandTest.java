@@ -8,28 +8,19 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
+import steward.bot.command.CommandLine;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
+import steward.cli.ShellBotsCase;
 import steward.cli.shared.ExitStatus;
 
 /** {@code steward match} where golden files do not reach: terminals, seeds that are drawn, pipes, full disks. */
 @Tag("process")
 @Timeout(60)
-class MatchCommandTest {
-
-    @TempDir
-    private Path folder;
-    private ShellBots bots;
-
-    @BeforeEach
-    void shell() {
-        bots = new ShellBots(folder);
-    }
+class MatchCommandTest extends ShellBotsCase {
 
     /** The first player passes a checkpoint and stays, the second passes none and is out after 51 turns. */
     private Cli duel(String... more) {
@@ -81,5 +72,24 @@ class MatchCommandTest {
         assertEquals(ExitStatus.FAILED, cli.status());
         assertEquals("", cli.out());
         assertTrue(cli.err().startsWith("steward: the match could not be brought to a result: "), cli.err());
+    }
+
+    /** Failures of other kinds, wherever they are told, are in golden files. */
+    @Test
+    void aBotThatNeverFlushesIsAskedWhetherItDoes() throws IOException {
+        String out = late("sleep 30", "0.2");
+        assertTrue(out.contains("me failed in turn 1: no answer within 200 ms"), out);
+        assertTrue(out.contains("\n  hint: nothing ever came on its stdout; does it flush after every answer, "
+            + "and start in time?\n"), out);
+        String late = late("read -r setup; read -r turn; echo '{\"pods\":[{\"x\":1,\"y\":1,\"thrust\":0}]}'; sleep 30",
+            "0.5");
+        assertTrue(late.contains("me failed in turn 2: no answer within ") && !late.contains("hint:"), late);
+    }
+
+    private String late(String script, String timeFactor) throws IOException {
+        String bot = "me=sh " + CommandLine.quote(List.of(Files.writeString(folder.resolve("me.sh"), script)
+            .toString()));
+        return Cli.run("match", "--scene", "duel", "--seed", "7", "--bot", bot, "--bot",
+            bots.driver("other", ShellBots.CHECKPOINT), "--time-factor", timeFactor).out();
     }
 }

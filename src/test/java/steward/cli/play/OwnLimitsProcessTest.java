@@ -11,23 +11,21 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
+import steward.cli.ShellBotsCase;
 
 /** Bots with limits of their own, in a scene that gives them half a minute and more. */
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
-class OwnLimitsProcessTest {
+class OwnLimitsProcessTest extends ShellBotsCase {
 
     /** A bot that never answers. */
     private static final String MUTE = "mute=sleep 100";
 
-    @TempDir
-    private Path folder;
     private String driver;
     private String scene;
 
@@ -35,7 +33,7 @@ class OwnLimitsProcessTest {
     void makeScene() throws IOException {
         ShellBots.shortDuel(folder);
         scene = folder.resolve("short.json").toString();
-        driver = new ShellBots(folder).driver("still", ShellBots.NOWHERE);
+        driver = bots.driver("still", ShellBots.NOWHERE);
     }
 
     private Cli run(String call, String... more) {
@@ -88,7 +86,7 @@ class OwnLimitsProcessTest {
         Path sent = folder.resolve("sent.txt");
         Path replay = folder.resolve("r.jsonl");
         run("match --time-limit told=40000,50000 --sandbox off --scene " + scene + " --out " + replay, "--bot", driver,
-            "--bot", new ShellBots(folder).witness("told", ShellBots.NOWHERE, 0, sent)).done();
+            "--bot", bots.witness("told", ShellBots.NOWHERE, 0, sent)).done();
         String lines = Files.readString(sent);
         assertTrue(lines.startsWith("{\"type\":\"setup\",\"game\":\"pod-race\",\"player\":1,\"players\":2,\"time\":"
             + "{\"firstAnswerMs\":50000,\"answerMs\":40000},"), lines);

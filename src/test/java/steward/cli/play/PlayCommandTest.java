@@ -51,7 +51,7 @@ class PlayCommandTest {
     @Test
     @Tag("process")
     void aBotThatTheSystemRefusesHasFailedWithSetsidAndWithout() throws IOException, InterruptedException {
-        Path broken = Files.writeString(folder.resolve("broken"), "#!/no/such/interpreter\n");
+        Path broken = Files.writeString(folder.resolve("broken"), "#!" + folder + "/no/interpreter\n");
         assumeTrue(broken.toFile().setExecutable(true) && Files.isExecutable(Path.of("/bin/sh")));
         Path programs = Files.createDirectory(folder.resolve("programs"));
         assumeTrue(Files.copy(Path.of("/bin/sh"), programs.resolve("sh")).toFile().setExecutable(true));

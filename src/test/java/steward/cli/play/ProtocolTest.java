@@ -12,30 +12,25 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import steward.bot.process.BotProcess;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
-import steward.cli.shared.Games;
+import steward.cli.ShellBotsCase;
 import steward.contest.Contest;
 import steward.files.InputException;
-import steward.game.Game;
-import steward.game.GameJson;
 import steward.game.GameSetup;
-import steward.game.Pilot;
 import steward.match.MatchListener;
 import steward.match.Protocol;
 import steward.match.Referee;
 import steward.match.Seat;
 import steward.match.TimeControl;
-import steward.scene.Plan;
-import steward.scene.Scene;
+import steward.minigame.MiniScenes;
 import tools.jackson.databind.JsonNode;
 
 /** Which bot of a match speaks which protocol, and what bots that speak in lines leave in results and replays. */
 @Tag("process")
 @Timeout(60)
-class ProtocolTest {
+class ProtocolTest extends ShellBotsCase {
 
     /** Two lines a turn are read; in the fourth an answer is written twice; data is reported. */
     private static final String LINES = """
@@ -53,15 +48,11 @@ class ProtocolTest {
         done
         """;
 
-    @TempDir
-    private Path folder;
     private String lines;
-    private ShellBots shell;
 
     @BeforeEach
-    void bots() throws IOException {
+    void writeBot() throws IOException {
         lines = "sh " + Files.writeString(folder.resolve("lines.sh"), LINES);
-        shell = new ShellBots(folder);
     }
 
     private static JsonNode match(String... arguments) {
@@ -73,7 +64,7 @@ class ProtocolTest {
     void messagesDataAndWarningsReachResultAndReplay() throws IOException {
         Path file = folder.resolve("x.jsonl");
         JsonNode result = match("--out", file.toString(), "--bot", "a=codingame:" + lines,
-            "--bot", shell.driver("b", ShellBots.CHECKPOINT));
+            "--bot", bots.driver("b", ShellBots.CHECKPOINT));
         int turns = result.get("turns").intValue();
         JsonNode player = result.get("players").get(0);
         assertEquals("{\"scene\":\"silver\"}", result.get("data").toString());
@@ -103,46 +94,17 @@ class ProtocolTest {
     /** A match in which one bot uses a protocol that the scene does not have is refused before anything starts. */
     @Test
     void aSceneWithoutTheProtocolIsRefusedUpFront() {
-        GameSetup mute = new WithoutLines(Games.open("duel"));
+        GameSetup mute = MiniScenes.pond("\"players\": 3", "\"players\": 2");
         List<Contest.Entrant> mixed = List.of(new Contest.Entrant("a", "./a", Protocol.JSON, List.of("./a")),
             new Contest.Entrant("b", "codingame:./b", Protocol.CODINGAME, List.of("./b")));
         InputException problem = assertThrows(InputException.class, () -> Contest.checkPlayable(mute, mixed));
-        assertEquals("bot 'codingame:./b': the scene \"duel\" has no codingame protocol, "
+        assertEquals("bot 'codingame:./b': the scene \"pond\" has no codingame protocol, "
             + "expected a bot that speaks json", problem.getMessage());
         Contest.checkPlayable(mute, mixed.subList(0, 1));
         List<Seat> seats = mixed.stream().map(entrant ->
             new Seat(new BotProcess(entrant.name(), entrant.words()), entrant.protocol())).toList();
-        assertEquals("the scene \"duel\" has no codingame protocol, expected bots that speak json",
+        assertEquals("the scene \"pond\" has no codingame protocol, expected bots that speak json",
             assertThrows(IllegalArgumentException.class, () -> Referee.of(mute, 1, seats, TimeControl.UNLIMITED,
                 new MatchListener() { })).getMessage());
-    }
-
-    /** A game that supports JSON only. */
-    private record WithoutLines(GameSetup setup) implements GameSetup {
-
-        @Override
-        public Scene scene() {
-            return setup.scene();
-        }
-
-        @Override
-        public Plan plan() {
-            return setup.plan();
-        }
-
-        @Override
-        public Game create(long seed) {
-            return setup.create(seed);
-        }
-
-        @Override
-        public GameJson codec(Game game) {
-            return setup.codec(game);
-        }
-
-        @Override
-        public Pilot pilot(Pilot.Aim aim) {
-            return setup.pilot(aim);
-        }
     }
 }

@@ -14,19 +14,17 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
+import steward.cli.ShellBotsCase;
 import tools.jackson.databind.JsonNode;
 
 /** Recorded games of Steward's own games, played again with a bot in the place of a player. */
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
-class RecordedRunTest {
+class RecordedRunTest extends ShellBotsCase {
 
-    @TempDir
-    private Path folder;
     private Path games;
     private String near;
     private String far;
@@ -34,9 +32,8 @@ class RecordedRunTest {
     @BeforeEach
     void play() throws IOException {
         ShellBots.shortDuel(folder);
-        ShellBots shell = new ShellBots(folder);
-        near = shell.driver("near", ShellBots.CHECKPOINT);
-        far = shell.driver("far", ShellBots.NOWHERE);
+        near = bots.driver("near", ShellBots.CHECKPOINT);
+        far = bots.driver("far", ShellBots.NOWHERE);
         games = Files.createDirectory(folder.resolve("games"));
         for (int game = 1; game <= 2; game++) {
             Cli.run("match", "--scene", folder + "/short.json", "--bot", near, "--bot", far, "--seed", "" + game,

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -12,7 +13,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import steward.bot.process.JavaProcess;
 import steward.cli.Cli;
+import steward.cli.Main;
 import steward.cli.ShellBots;
 import steward.cli.TextShellBots;
 import tools.jackson.databind.JsonNode;
@@ -88,5 +91,18 @@ class RefereeCommandTest {
         assertTrue(lines[2].startsWith("replay: ") && lines[3].startsWith("page: "));
         assertTrue(Files.deleteIfExists(Path.of(lines[2].substring(8))));
         assertTrue(Files.deleteIfExists(Path.of(lines[3].substring(6))));
+    }
+
+    /** As a process of its own, which a tool has started: nothing but the answer, on one stream. */
+    @Test
+    @Tag("process")
+    void printsTheScoresAndNothingElse() throws IOException, InterruptedException {
+        Process process = new ProcessBuilder(JavaProcess.words(Main.class, "referee", "-scene", "duel",
+            "--no-deadline", "-p1", bots.driver(), "-p2", bots.idler(2), "-d", "seed=4", "--sandbox", "off")).start();
+        assertEquals("1\n-1\n", new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8));
+        String err = new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertEquals(0, process.waitFor(), err);
+        assertTrue(err.startsWith("steward: warning: -p2 has failed in turn 2: line 1 of 1: ")
+            && err.lines().skip(1).allMatch(line -> line.startsWith("  ")), err);
     }
 }

@@ -11,6 +11,7 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import steward.bot.process.JavaProcess;
 import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.shared.ExitStatus;
@@ -28,9 +29,8 @@ class RunCommandTest {
         Path replay = temp.resolve("g.jsonl");
         Path tables = temp.resolve("tables");
         Path errors = temp.resolve("errors");
-        Process run = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp",
-            System.getProperty("java.class.path"), Main.class.getName(), "run", "gas", "--turns", "1000000", "--seed",
-            "7", "--out", replay.toString(), "--csv", tables.toString()).redirectError(errors.toFile())
+        Process run = new ProcessBuilder(JavaProcess.words(Main.class, "run", "gas", "--turns", "1000000", "--seed",
+            "7", "--out", replay.toString(), "--csv", tables.toString())).redirectError(errors.toFile())
             .redirectOutput(temp.resolve("out").toFile()).start();
         try {
             for (int k = 0; k < 1200 && !(Files.exists(replay) && Files.size(replay) > 1 << 20); k++) {

@@ -3,8 +3,6 @@ package steward.cli.play;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -12,9 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import steward.cli.Cli;
-import steward.cli.Main;
 import steward.cli.shared.ExitStatus;
-import steward.cli.streams.Streams;
 import steward.scene.SceneFiles;
 
 /** {@code steward scene}: shipped scenes and the JSON Schema, as they are in the program. */
@@ -51,11 +47,9 @@ class SceneCommandTest {
     }
 
     private static String explained(String scene, int status) {
-        ByteArrayOutputStream out = new ByteArrayOutputStream();
-        Streams streams = new Streams(new ByteArrayInputStream(scene.getBytes(StandardCharsets.UTF_8)), false, out, out,
-            false, false);
-        assertEquals(status, Main.run(streams, "explain", "-"));
-        return out.toString(StandardCharsets.UTF_8);
+        Cli cli = Cli.piped(scene.getBytes(StandardCharsets.UTF_8), "explain", "-");
+        assertEquals(status, cli.status());
+        return cli.out() + cli.err();
     }
 
     @Test

@@ -15,7 +15,6 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.bot.command.CommandLine;
@@ -23,25 +22,22 @@ import steward.bot.process.ScriptedBots;
 import steward.cli.Cli;
 import steward.cli.ProcessTest;
 import steward.cli.ShellBots;
+import steward.cli.ShellBotsCase;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /** A series in a process of its own: Ctrl-C, and files that cannot grow. */
 @Tag("process")
 @Timeout(120)
-class SeriesProcessTest {
+class SeriesProcessTest extends ShellBotsCase {
 
     private static final int SIGINT_STATUS = 130;
     private static final long PATIENCE_NANOS = 60_000_000_000L;
 
-    @TempDir
-    private Path folder;
     private Path replays;
-    private ShellBots bots;
 
     @BeforeEach
     void shell() {
-        bots = new ShellBots(folder);
         replays = folder.resolve("replays");
     }
 
@@ -127,14 +123,8 @@ class SeriesProcessTest {
         assertNoBotIsLeft();
     }
 
-    private void assertNoBotIsLeft() throws IOException, InterruptedException {
-        long end = System.nanoTime() + PATIENCE_NANOS;
-        for (String pid : Files.readAllLines(folder.resolve("pids"))) {
-            while (ProcessTest.isRunning(Long.parseLong(pid)) && System.nanoTime() < end) {
-                Thread.sleep(20);
-            }
-            assertFalse(ProcessTest.isRunning(Long.parseLong(pid)), "a bot is still there");
-        }
+    private void assertNoBotIsLeft() throws IOException {
+        Files.readAllLines(folder.resolve("pids")).forEach(pid -> ScriptedBots.assertGone(Long.parseLong(pid)));
     }
 
     /** Where no file may grow beyond so many blocks of 512 bytes. */

@@ -10,29 +10,19 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
+import steward.cli.ShellBotsCase;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Colour;
 
 /** Report and files of a series where golden files do not reach: terminals, processors, full disks. */
 @Tag("process")
 @Timeout(120)
-class SeriesReportTest {
-
-    @TempDir
-    private Path folder;
-    private ShellBots bots;
-
-    @BeforeEach
-    void shell() {
-        bots = new ShellBots(folder);
-    }
+class SeriesReportTest extends ShellBotsCase {
 
     private Cli series(String first, String second, String... more) {
         return Cli.run(List.of("match", "--scene", "duel", "--no-deadline", "--seed", "5", "--bot",

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.Timeout;
+import steward.bot.process.JavaProcess;
 import steward.cli.Main;
 import steward.cli.ProcessTest;
 import steward.cli.shared.ExitStatus;
@@ -86,9 +87,7 @@ class SimulateCommandTest {
     }
 
     private static Process simulator(ProcessBuilder.Redirect errors) throws IOException {
-        return new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-XX:TieredStopAtLevel=1", "-cp", System.getProperty("java.class.path"), Main.class.getName(), "simulate")
-            .redirectError(errors).start();
+        return new ProcessBuilder(JavaProcess.words(Main.class, "simulate")).redirectError(errors).start();
     }
 
     /** One process for all games; each test is sent only when the answer to the last has come. */

@@ -23,14 +23,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.ShellBots;
+import steward.cli.ShellBotsCase;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Streams;
 import steward.live.Clients;
@@ -38,17 +37,9 @@ import steward.live.Clients;
 /** {@code steward match --watch} as a whole. */
 @Tag("process")
 @Timeout(60)
-class WatchTest {
+class WatchTest extends ShellBotsCase {
 
-    @TempDir
-    private Path folder;
-    private ShellBots bots;
     private final ByteArrayOutputStream err = new ByteArrayOutputStream();
-
-    @BeforeEach
-    void shell() {
-        bots = new ShellBots(folder);
-    }
 
     private String[] match(String... more) {
         return Cli.words(List.of("match", "--scene", "duel", "--no-deadline", "--sandbox", "off", "--watch", "--bot",

@@ -9,31 +9,28 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
 import steward.cli.ShellBots;
+import steward.cli.ShellBotsCase;
 import tools.jackson.databind.JsonNode;
 
 /** Why a bot lost, on the page of a league; {@code match --why} and {@code league why} are in golden files. */
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
-class WhyTest {
+class WhyTest extends ShellBotsCase {
 
-    @TempDir
-    private Path folder;
     private String scene;
     private String near;
     private String far;
     private String bad;
     @BeforeEach
-    void bots() throws IOException {
+    void writeBots() throws IOException {
         ShellBots.shortDuel(folder);
         ShellBots.drawn(folder.resolve("short.json"));
         scene = folder.resolve("short.json").toString();
-        ShellBots shell = new ShellBots(folder);
-        near = shell.driver("near", ShellBots.CHECKPOINT);
-        far = shell.driver("far", ShellBots.NOWHERE);
+        near = bots.driver("near", ShellBots.CHECKPOINT);
+        far = bots.driver("far", ShellBots.NOWHERE);
         bad = "bad=sh " + Files.writeString(folder.resolve("bad.sh"), """
             read setup; read first
             echo '[PDATA] depth = 4' >&2

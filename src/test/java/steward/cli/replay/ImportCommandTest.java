@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -22,11 +21,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.cli.Cli;
-import steward.cli.Main;
 import steward.cli.ProcessTest;
 import steward.cli.ShellBots;
 import steward.cli.shared.ExitStatus;
-import steward.cli.streams.Streams;
 import steward.codingame.recording.OfficialGame;
 import steward.codingame.recording.ServerMeanMax;
 import steward.match.TestScenes;
@@ -190,22 +187,18 @@ class ImportCommandTest {
         assertFalse(Files.exists(replay));
     }
 
+    private static byte[] bytes(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
+    }
+
     @Test
     void aGameComesAndGoesByPipes() {
-        ByteArrayOutputStream piped = new ByteArrayOutputStream();
-        assertEquals(ExitStatus.DONE, piped(GAME.json().getBytes(StandardCharsets.UTF_8), piped, "import", "-",
-            "--out", "-"));
-        ByteArrayOutputStream verified = new ByteArrayOutputStream();
-        assertEquals(ExitStatus.DONE, piped(piped.toByteArray(), verified, "replay", "-", "--verify"));
-        assertEquals(verified(), withoutCount(verified.toString(StandardCharsets.UTF_8)));
-        ByteArrayOutputStream nothing = new ByteArrayOutputStream();
-        assertEquals(ExitStatus.UNUSABLE, piped(new byte[0], nothing, "import", "-", "--out", "-"));
-        assertEquals(ExitStatus.UNUSABLE, piped(piped.toByteArray(), nothing, "replay", "-", "--view", "-", "--open"));
-        assertEquals("", nothing.toString(StandardCharsets.UTF_8));
-        ByteArrayOutputStream page = new ByteArrayOutputStream();
-        assertEquals(ExitStatus.DONE, piped(piped.toByteArray(), page, "replay", "-", "--view", "-"));
-        assertTrue(page.toString(StandardCharsets.UTF_8).startsWith("<!DOCTYPE html>")
-            || page.toString(StandardCharsets.UTF_8).startsWith("<!doctype html>"));
+        String replay = Cli.piped(bytes(GAME.json()), "import", "-", "--out", "-").done().out();
+        assertEquals(verified(), withoutCount(Cli.piped(bytes(replay), "replay", "-", "--verify").done().out()));
+        Cli.piped(new byte[0], "import", "-", "--out", "-").assertRefused("");
+        Cli.piped(bytes(replay), "replay", "-", "--view", "-", "--open").assertRefused("");
+        String page = Cli.piped(bytes(replay), "replay", "-", "--view", "-").done().out();
+        assertTrue(page.startsWith("<!DOCTYPE html>"), () -> page.substring(0, 20));
     }
 
     /** Between programs, where the input is a pipe and not a file. */
@@ -217,10 +210,5 @@ class ImportCommandTest {
         assertEquals(verified() + "status 0\n", withoutCount(ProcessTest.shell("cat " + recording + " | "
             + ProcessTest.steward("import", "-", "--out", "-") + " | "
             + ProcessTest.steward("replay", "-", "--verify"))));
-    }
-
-    private static int piped(byte[] in, OutputStream out, String... arguments) {
-        return Main.run(new Streams(new ByteArrayInputStream(in), false, out, OutputStream.nullOutputStream(), false,
-            false), arguments);
     }
 }

@@ -81,6 +81,10 @@ class ClientTest {
         home = common.another(folder);
     }
 
+    private void makeSockets(String mode) throws IOException {
+        Files.setPosixFilePermissions(Files.createDirectories(home.sockets()), PosixFilePermissions.fromString(mode));
+    }
+
     private String[] match(String program, String one, long seed, String... more) {
         List<String> words = new ArrayList<>(List.of(program.split(" ")));
         words.addAll(List.of("-p1", one, "-p2", bots.idler(0), "-scene", "duel", "--sandbox", "off", "--no-deadline",
@@ -185,9 +189,7 @@ class ClientTest {
     @Tag("campaign")
     void whereThereAreFourAMatchStartsPlainly() throws IOException, InterruptedException {
         takeAnInstallationOfItsOwn();
-        Files.createDirectories(home.sockets());
-        Files.setPosixFilePermissions(home.sockets(),
-            PosixFilePermissions.fromString("rwx------"));
+        makeSockets("rwx------");
         List<ServerSocketChannel> four = new ArrayList<>();
         for (int k = 0; k < 5; k++) {
             four.add(ServerSocketChannel.open(StandardProtocolFamily.UNIX)
@@ -206,9 +208,7 @@ class ClientTest {
     @Tag("campaign")
     void aFolderThatOthersCanOpenIsNotUsed() throws IOException, InterruptedException {
         takeAnInstallationOfItsOwn();
-        Files.createDirectories(home.sockets());
-        Files.setPosixFilePermissions(home.sockets(),
-            PosixFilePermissions.fromString("rwxr-xr-x"));
+        makeSockets("rwxr-xr-x");
         assertEquals("1\n0\n", home.call(match(REFEREE, bots.driver(), 1)).out());
         assertEquals(List.of(), home.residents());
     }

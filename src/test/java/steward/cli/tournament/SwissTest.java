@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -18,6 +17,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.bot.process.JavaProcess;
 import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.shared.ExitStatus;
@@ -80,10 +80,8 @@ class SwissTest {
         Path go = folder.resolve("go");
         programs.add("b", "9000", "if [ ! -e '" + go + "' ] && grep -q '}, *{\\|},{' '" + rounds()
             + "' 2>/dev/null; then\ntouch '" + waits + "'; while [ ! -e '" + go + "' ]; do sleep 0.1; done; fi\n");
-        List<String> call = new ArrayList<>(Cli.jvm(Main.class));
-        call.addAll(programs.words(options(3)));
-        Process killed = new ProcessBuilder(call).redirectErrorStream(true)
-            .redirectOutput(folder.resolve("killed.txt").toFile()).start();
+        Process killed = new ProcessBuilder(JavaProcess.words(List.of(), Main.class, programs.words(options(3))))
+            .redirectErrorStream(true).redirectOutput(folder.resolve("killed.txt").toFile()).start();
         try {
             while (!Files.exists(waits)) {
                 assertTrue(killed.isAlive(), () -> read(folder.resolve("killed.txt")));

@@ -1,7 +1,6 @@
 package steward.machines.broker;
 
 import java.io.BufferedReader;
-import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
@@ -28,6 +27,7 @@ import org.apache.activemq.artemis.api.core.client.ClientProducer;
 import org.apache.activemq.artemis.api.core.client.ClientSession;
 import org.apache.activemq.artemis.api.core.client.ClientSessionFactory;
 import org.apache.activemq.artemis.api.core.client.ServerLocator;
+import steward.bot.process.JavaProcess;
 
 /**
  * Attacks a broker in a process of its own by many clients at the same time, with and without a token, while two honest
@@ -113,11 +113,8 @@ public final class HostileClients {
      */
     static String play(Path folder, int clients, int seconds, int heap, Consumer<String> teller) throws Exception {
         ServedBroker.prepared(folder, workers(clients).toArray(String[]::new));
-        Process broker = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-Xmx" + heap + "m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp", Stream.of(
-                System.getProperty("java.class.path").split(File.pathSeparator)).map(part -> Path.of(part)
-                .toAbsolutePath().toString()).reduce((one, other) -> one + File.pathSeparator + other).orElseThrow(),
-            HostileClients.class.getName(), "--serve", folder.toString(), Integer.toString(clients))
+        Process broker = new ProcessBuilder(JavaProcess.words(List.of("-Xmx" + heap + "m"), HostileClients.class,
+            List.of("--serve", folder.toString(), Integer.toString(clients))))
             .redirectError(folder.resolve("broker.err").toFile()).start();
         try (BufferedReader said = new BufferedReader(new InputStreamReader(broker.getInputStream(),
                 StandardCharsets.UTF_8))) {

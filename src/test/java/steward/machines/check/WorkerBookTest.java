@@ -49,21 +49,24 @@ class WorkerBookTest {
         return book.lines().stream().filter(line -> line.name().equals("x")).findFirst().orElseThrow().doubts();
     }
 
+    /** Chance of draws, each told as how many there are, how many have the mark, are taken, and are taken with it. */
+    private static double chance(int[]... draws) {
+        DrawnWithout drawn = new DrawnWithout();
+        for (int[] draw : draws) {
+            drawn.add(draw[0], draw[1], draw[2], draw[3]);
+        }
+        return drawn.chance();
+    }
+
     /** R. A. Fisher's tea: of 8 cups 4 are marked, 4 are taken, all of them right: 1 in 70 one way, and the other. */
     @Test
     void theChanceIsExact() {
-        DrawnWithout tea = new DrawnWithout();
-        tea.add(8, 4, 4, 4);
-        assertEquals(2.0 / 70, tea.chance(), 1e-15);
+        int[] tea = {8, 4, 4, 4};
+        assertEquals(2.0 / 70, chance(tea), 1e-15);
         // Two tables of it: only both right is as extreme, 1 in 4900.
-        tea.add(8, 4, 4, 4);
-        assertEquals(2.0 / 4900, tea.chance(), 1e-17);
-        DrawnWithout middle = new DrawnWithout();
-        middle.add(8, 4, 4, 2);
-        assertEquals(1, middle.chance());
-        DrawnWithout nothing = new DrawnWithout();
-        nothing.add(5, 5, 3, 3);
-        assertEquals(1, nothing.chance(), "all have the mark: nothing can be told");
+        assertEquals(2.0 / 4900, chance(tea, tea), 1e-17);
+        assertEquals(1, chance(new int[] {8, 4, 4, 2}));
+        assertEquals(1, chance(new int[] {5, 5, 3, 3}), "all have the mark: nothing can be told");
     }
 
     /**
@@ -72,20 +75,14 @@ class WorkerBookTest {
      */
     @Test
     void manyGamesAreMeasuredByTheNormalDistribution() {
-        DrawnWithout even = new DrawnWithout();
-        even.add(20_000, 10_000, 10_000, 5000);
-        assertEquals(1, even.chance());
-        DrawnWithout wide = new DrawnWithout();
-        wide.add(20_000, 10_000, 10_000, 5600);
-        assertTrue(wide.chance() < 1e-60 && wide.chance() > 0, () -> "found " + wide.chance());
+        assertEquals(1, chance(new int[] {20_000, 10_000, 10_000, 5000}));
+        double wide = chance(new int[] {20_000, 10_000, 10_000, 5600});
+        assertTrue(wide < 1e-60 && wide > 0, () -> "found " + wide);
         // Where both can be computed they agree: 3990 of 15,960 below, 3.5 deviations up.
-        DrawnWithout exact = new DrawnWithout();
-        exact.add(15_960, 3990, 3990, 1090);
-        DrawnWithout normal = new DrawnWithout();
-        normal.add(15_960, 3990, 3990, 1090);
-        normal.add(1_000_000, 999_999, 11, 11);
-        normal.add(11, 11, 10, 10);
-        assertEquals(exact.chance(), normal.chance(), 1e-3 * exact.chance(), "games that say nothing change nothing");
+        int[] both = {15_960, 3990, 3990, 1090};
+        double exact = chance(both);
+        assertEquals(exact, chance(both, new int[] {1_000_000, 999_999, 11, 11}, new int[] {11, 11, 10, 10}),
+            1e-3 * exact, "games that say nothing change nothing");
     }
 
     /** At most 1 in 100 by construction; 11 or more of 300 would come by chance once in some thousand. */

@@ -26,7 +26,6 @@ import org.junit.jupiter.api.Timeout;
 import steward.bot.TimeBasis;
 import steward.bot.command.ProgramFinder;
 import steward.bot.hold.HoldPolicy;
-import steward.bot.isolation.Isolation;
 import steward.cli.Cli;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Games;
@@ -120,7 +119,7 @@ class GuestWorkerTest extends ServedLeague {
         assertTrue(closed.err().contains("the scene has a referee of its own, and the worker runs none without "
             + "--guests"), closed.err());
         Cli open = join("open", "--guests", "--games", "4").done();
-        String said = run.get(100, TimeUnit.SECONDS);
+        String said = run.get();
         assertTrue(said.contains("worker closed plays nothing: the scene has a referee"), said);
         assertTrue(games("many").stream().allMatch(row -> row.machine().startsWith("worker open: ")), said);
         assertFalse(said.contains("doubtful") || said.contains("could not play"), said);
@@ -137,7 +136,7 @@ class GuestWorkerTest extends ServedLeague {
         token("many", "open");
         CompletableFuture<String> run = serve("many", 2, "--threads", "0");
         assertEquals(ExitStatus.DONE, join("open", "--guests", "--games", "2").status());
-        run.get(100, TimeUnit.SECONDS);
+        run.get();
         try (Stream<Path> files = Files.walk(folder.resolve("bundles of open"))) {
             Path jar = files.filter(file -> file.endsWith("core.jar")).findFirst().orElseThrow();
             Files.copy(folder.resolve("echo.sh"), jar, StandardCopyOption.REPLACE_EXISTING);
@@ -149,7 +148,7 @@ class GuestWorkerTest extends ServedLeague {
             + ".*or of bundles \\(--bundles\\) for a guest\n"), changed.err());
         Files.move(folder.resolve("bundles of open"), folder.resolve("changed bundles"));
         assertEquals(ExitStatus.DONE, join("open", "--guests", "--games", "2").status());
-        assertTrue(more.get(100, TimeUnit.SECONDS).contains("worker open: found the jar sha256:"));
+        assertTrue(more.get().contains("worker open: found the jar sha256:"));
         Files.writeString(folder.resolve("target/classes/more.txt"), "other rules");
         Cli.league(folder, "run", "TMP/many", "--games", "6").assertRefused("the files of the game are others");
     }
@@ -160,8 +159,7 @@ class GuestWorkerTest extends ServedLeague {
         scene("chance");
         league("many");
         WorkerToken token = token("many", "open");
-        Worker worker = new Worker(new Worker.Options("127.0.0.1", port, token, 1, Long.MAX_VALUE, Long.MAX_VALUE,
-            () -> Isolation.OFF, folder.resolve("bundles"), "1", "a machine"), Games.types(true), what -> { });
+        Worker worker = worker(token, 1, Long.MAX_VALUE, Games.types(true));
         List<String> told = new CopyOnWriteArrayList<>();
         try (RemoteGames games = served("many", told::add)) {
             play(worker);
@@ -198,8 +196,7 @@ class GuestWorkerTest extends ServedLeague {
 
     private void assertRefused(LeagueBroker broker, WorkerToken token, boolean guests, LeagueWord.Welcome welcome,
                                Bundle bundle) throws Exception {
-        Worker worker = new Worker(new Worker.Options("127.0.0.1", port, token, 1, 1, Long.MAX_VALUE,
-            () -> Isolation.OFF, folder.resolve("bundles"), "1", "a machine"), Games.types(guests), what -> { });
+        Worker worker = worker(token, 1, 1, Games.types(guests));
         CompletableFuture<String> end = CompletableFuture.supplyAsync(() -> assertThrows(
             Worker.RefusedException.class, worker::play).getMessage());
         while (!end.isDone()) {

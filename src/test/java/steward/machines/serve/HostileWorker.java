@@ -69,7 +69,7 @@ public final class HostileWorker {
 
     /** Plays until it is over. @throws BrokenException if the broker ends the connection */
     public void play(BrokerClient client, BooleanSupplier over) throws BrokenException, InterruptedException {
-        hello(client, "hostile");
+        hello(client, "hostile", 4);
         List<BrokerClient.Taker> kept = new ArrayList<>();
         BrokerClient.Taker taker = client.taker(List.of());
         kept.add(taker);
@@ -148,9 +148,9 @@ public final class HostileWorker {
         }
     }
 
-    /** Says that it is there, with four games at a time. */
-    private static void hello(BrokerClient client, String machine) throws BrokenException {
+    /** Says that it is there, with so many games at a time. */
+    static void hello(BrokerClient client, String machine, int slots) throws BrokenException {
         client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "1")
-            .put("bits", RungLaw.keys()).put("machine", machine).put("slots", 4)));
+            .put("bits", RungLaw.keys()).put("machine", machine).put("slots", slots)));
     }
 }

@@ -14,7 +14,6 @@ import java.io.InputStream;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
@@ -23,18 +22,13 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.isolation.Isolation;
-import steward.cli.Cli;
 import steward.cli.FreePort;
-import steward.cli.ShellBots;
-import steward.cli.TextShellBots;
 import steward.cli.shared.Games;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
@@ -43,7 +37,6 @@ import steward.machines.broker.BrokerClient.BrokenException;
 import steward.machines.broker.LeagueBroker;
 import steward.machines.bundle.Bundle;
 import steward.machines.token.BrokerKey;
-import steward.machines.token.SharedBrokerKey;
 import steward.machines.token.WorkerList;
 import steward.machines.token.WorkerToken;
 import steward.machines.wire.GameJob;
@@ -61,15 +54,11 @@ import steward.scene.RungLaw;
 @Tag("slow")
 @Timeout(300)
 @Execution(ExecutionMode.CONCURRENT)
-class MessageSchemaTest {
+class MessageSchemaTest extends ServedLeague {
 
     private static final Schema SCHEMA = schema();
 
-    @TempDir
-    private Path folder;
-
     private final Set<String> types = new TreeSet<>();
-    private int port;
 
     private static Schema schema() {
         try (InputStream in = MessageSchemaTest.class.getResourceAsStream("/steward/schemas/machines.json")) {
@@ -93,24 +82,9 @@ class MessageSchemaTest {
         return type;
     }
 
-    /** Connection to a league; otherwise an error with what the league has said. */
-    private static BrokerClient joined(int port, WorkerToken token, CompletableFuture<Cli> run) throws Exception {
-        try {
-            return WorkerTest.join(port, token);
-        } catch (BrokenException problem) {
-            throw new AssertionError(run.isDone() ? run.get().err() : "the league has not ended", problem);
-        }
-    }
-
-    private void done(String... words) {
-        Cli.run(words).done();
-    }
-
-    private byte[] listen(BrokerClient client) throws BrokenException {
-        byte[] bytes = null;
-        while (bytes == null) {
-            bytes = client.listen(500);
-        }
+    /** The next message of the league, which is checked. */
+    private byte[] heard(BrokerClient client) throws BrokenException {
+        byte[] bytes = listen(client);
         checked(bytes);
         return bytes;
     }
@@ -122,27 +96,18 @@ class MessageSchemaTest {
 
     @Test
     void allThatIsSaidIsAsTheSchemaSays() throws Exception {
-        ShellBots.shortDuel(folder, 5);
-        TextShellBots bots = new TextShellBots(folder);
-        String league = folder.resolve("league").toString();
-        done("league", "init", league, "--scene", folder.resolve("short.json").toString());
-        done("league", "add", league, "a=codingame:" + bots.driver());
-        done("league", "add", league, "b=codingame:" + bots.idler(0));
-        SharedBrokerKey.put(new LeagueFolder(folder.resolve("league")));
-        done("league", "worker", "add", league, "pen", "--out", folder.resolve("pen.token").toString());
-        WorkerToken token = WorkerToken.read(folder.resolve("pen.token"));
-        int serving = FreePort.next();
+        make("league");
+        WorkerToken token = token("league", "pen");
         Map<String, byte[]> bundles = new HashMap<>();
         // So many games that the league has not played them itself before somebody joins.
-        CompletableFuture<Cli> run = CompletableFuture.supplyAsync(() -> Cli.run("league", "run", league, "--games",
-            "300", "--quiet", "--serve", "127.0.0.1:" + serving));
+        CompletableFuture<String> run = serve("league", 300, "--quiet");
         byte[] welcome;
         byte[] job;
-        try (BrokerClient client = joined(serving, token, run)) {
+        try (BrokerClient client = client(token)) {
             client.say(hello("0123456789abcdef"));
-            assertEquals("refused", WireMessage.read(listen(client), "m").header().text("type"));
+            assertEquals("refused", WireMessage.read(heard(client), "m").header().text("type"));
             client.say(hello(RungLaw.WHOLE_LADDER));
-            welcome = listen(client);
+            welcome = heard(client);
             try (BrokerClient.Taker taker = client.taker(List.of())) {
                 job = taker.take(60_000);
                 checked(job);
@@ -150,13 +115,13 @@ class MessageSchemaTest {
                 for (GameJob.Seat seat : game.seats()) {
                     client.say(WireMessage.bytes(new HeaderText().put("type", "fetch").put("bundle", seat.bundle())
                         .put("from", 0)));
-                    bundles.put(seat.bundle(), listen(client));
+                    bundles.put(seat.bundle(), heard(client));
                 }
             }
         }
         port = FreePort.next();                        // the league waits for other workers for some seconds
         speak(token, welcome, job, bundles);
-        assertEquals(0, run.get(200, TimeUnit.SECONDS).status());
+        run.get();
         assertEquals(Set.of("hello", "fetch", "result", "unfit", "differs", "bye", "welcome", "refused", "bundle",
             "job"), types);
     }
@@ -176,7 +141,7 @@ class MessageSchemaTest {
                     () -> Isolation.OFF, folder.resolve("bundles"), "2", "a machine"), Games.types(), told::add);
                 CompletableFuture<String> playing = CompletableFuture.supplyAsync(() -> played(worker));
                 answer(broker, greeting, job, bundles, playing);
-                String end = playing.get(100, TimeUnit.SECONDS);
+                String end = playing.get();
                 if (greeting == others) {
                     assertTrue(end.startsWith("found Steward development (results 0123456789abcdef) in the league and "
                         + "Steward 2 (results ") && end.endsWith("here, expected versions that compute the same"), end);

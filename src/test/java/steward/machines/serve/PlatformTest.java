@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -61,7 +60,7 @@ class PlatformTest extends ServedLeague {
         CompletableFuture<String> run = serve("many", 40, "--threads", "1", "--again", "100");
         play(worker(near, 1, Long.MAX_VALUE));
         play(far(far));
-        String said = run.get(200, TimeUnit.SECONDS);
+        String said = run.get();
         List<Row> there = games("many").stream().filter(row -> row.game().contains("fast@" + FAR + ":")).toList();
         assertTrue(there.size() >= 12, said);
         assertTrue(there.stream().allMatch(row -> row.machine().equals("worker far: far away") && row.counts()), said);
@@ -85,7 +84,7 @@ class PlatformTest extends ServedLeague {
         CompletableFuture<String> run = serve("many", 40, "--threads", "0", "--again", "0", "--pause-after", "0");
         play(worker(near, 1, Long.MAX_VALUE));
         play(far(far));
-        String said = run.get(200, TimeUnit.SECONDS);
+        String said = run.get();
         List<Row> games = games("many");
         assertTrue(games.stream().anyMatch(row -> row.machine().contains("far away"))
             && games.stream().anyMatch(row -> row.machine().contains("of the test")), said);
@@ -100,7 +99,7 @@ class PlatformTest extends ServedLeague {
     void whatRunsOnNoMachineEndsTheRunWithItsReason() throws Exception {
         CompletableFuture<Void> alone = CompletableFuture.runAsync(this::assertBotsOfDifferentPlatformsNeverMeet);
         assertALeagueThatPlaysNothingItselfSaysWhichBotRunsNowhere();
-        alone.get(100, TimeUnit.SECONDS);
+        alone.get();
     }
 
     /** The others play on. */
@@ -173,7 +172,7 @@ class PlatformTest extends ServedLeague {
         } catch (BrokerClient.BrokenException closed) {
             run.join();                                // which has ended, then
         }
-        Cli ended = run.get(60, TimeUnit.SECONDS);
+        Cli ended = run.get();
         assertEquals(1, ended.status(), ended.err());
         assertTrue(ended.err().matches("(?s).*the league ends: no machine can play (fast against \\w+|\\w+ against "
             + "fast): worker bare: fast does not run here: no such library; expected .*"), ended.err());
@@ -187,7 +186,7 @@ class PlatformTest extends ServedLeague {
     void gamesThatWaitForAWorkerAreSaidTo() throws Exception {
         make("many");
         CompletableFuture<Cli> run = run("many", 6, "--threads", "0", "--for", "9s");
-        Cli ended = run.get(60, TimeUnit.SECONDS).done();
+        Cli ended = run.get().done();
         assertEquals(1, ended.err().split("games wait for a worker: none is connected, and this league plays none "
             + "itself", -1).length - 1, ended.err());
     }

@@ -26,6 +26,7 @@ import steward.cli.TextShellBots;
 import steward.cli.shared.Games;
 import steward.contest.Contest;
 import steward.files.InputException;
+import steward.game.GameTypes;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.Schedule;
@@ -40,12 +41,9 @@ import steward.machines.token.BrokerKey;
 import steward.machines.token.SharedBrokerKey;
 import steward.machines.token.WorkerToken;
 import steward.machines.wire.GameJob;
-import steward.machines.wire.HeaderText;
-import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
 import steward.machines.worker.Worker;
 import steward.match.Protocol;
-import steward.scene.RungLaw;
 
 /** Leagues in a temporary folder whose games are played by workers in this JVM. */
 abstract class ServedLeague {
@@ -120,9 +118,13 @@ abstract class ServedLeague {
     }
 
     Worker worker(WorkerToken token, int slots, long games) {
+        return worker(token, slots, games, Games.types());
+    }
+
+    Worker worker(WorkerToken token, int slots, long games, GameTypes types) {
         return new Worker(new Worker.Options("127.0.0.1", port, token, slots, games, Long.MAX_VALUE,
             () -> Isolation.OFF, folder.resolve("bundles of " + token.worker()), "1", "a machine of the test"),
-            Games.types(), what -> { });
+            types, what -> { });
     }
 
     /** Plays until the league does not answer any more. */
@@ -198,8 +200,16 @@ abstract class ServedLeague {
     }
 
     static void hello(BrokerClient client, String machine) throws BrokenException {
-        client.say(WireMessage.bytes(new HeaderText().put("type", "hello").put("version", "1")
-            .put("bits", RungLaw.keys()).put("machine", machine).put("slots", 1)));
+        HostileWorker.hello(client, machine, 1);
+    }
+
+    /** The next message of the league. */
+    static byte[] listen(BrokerClient client) throws BrokenException {
+        byte[] answer = null;
+        while (answer == null) {
+            answer = client.listen(500);
+        }
+        return answer;
     }
 
     /** Plays the first games of a job as it should. */

@@ -52,7 +52,7 @@ class WorkerTest extends ServedLeague {
         CompletableFuture<String> run = serve("many", GAMES, "--threads", "0");
         play(worker(one, 2, Long.MAX_VALUE));
         play(worker(two, 1, Long.MAX_VALUE));
-        String said = run.get(200, TimeUnit.SECONDS);
+        String said = run.get();
 
         assertEquals(alone, counting("many"), said);
         assertTrue(games("many").stream().anyMatch(row -> row.machine().startsWith("worker one: a machine of")), said);
@@ -82,7 +82,7 @@ class WorkerTest extends ServedLeague {
                 assertFalse(run.isDone(), "no connection was cut within a message");
             }
             assertFalse(run.isDone(), "games are left when connections are taken again");
-            String said = run.get(200, TimeUnit.SECONDS);
+            String said = run.get();
             assertEquals(alone, counting("many"), said);
         }
     }
@@ -227,14 +227,6 @@ class WorkerTest extends ServedLeague {
         }
     }
 
-    private static byte[] listen(BrokerClient client) throws BrokenException {
-        byte[] answer = null;
-        while (answer == null) {
-            answer = client.listen(500);
-        }
-        return answer;
-    }
-
     @Test
     void versionsThatComputeOtherResultsDoNotPlayTogether() throws Exception {
         make("many");
@@ -318,7 +310,7 @@ class WorkerTest extends ServedLeague {
         WorkerToken token = token("own", "one");
         CompletableFuture<String> run = serve("own", 2, "--threads", "0");
         play(worker(token, 1, Long.MAX_VALUE));
-        run.get(200, TimeUnit.SECONDS);
+        run.get();
         String failed = done("games", "TMP/own", "--failed");
         assertEquals(2, failed.split("mute failed in turn 1: no answer within 30 ms \\(waited ", -1).length - 1,
             failed);
@@ -340,7 +332,7 @@ class WorkerTest extends ServedLeague {
         }
         CompletableFuture<String> run = serve("many", 20, "--threads", "0", "--scale-time");
         play(worker(token, 1, Long.MAX_VALUE));
-        String said = run.get(200, TimeUnit.SECONDS);
+        String said = run.get();
         assertTrue(games("many").stream().allMatch(row -> row.machine().matches(
             "worker slow: a machine of the test, time limits times [0-9.]+")), said);
     }

@@ -60,7 +60,7 @@ class WorkerVerdictsTest extends ServedLeague {
         } catch (BrokenException closed) {
             run.join();                                // which has ended, or has sent it away
         }
-        return run.get(200, TimeUnit.SECONDS);
+        return run.get();
     }
 
     /** The honest worker comes when the other one is caught, and plays its games again and the rest. */
@@ -75,7 +75,7 @@ class WorkerVerdictsTest extends ServedLeague {
             assertThrows(BrokenException.class, () -> hostile.play(client, run::isDone), "its connection is closed");
         }
         play(worker(other, 1, Long.MAX_VALUE));
-        String said = run.get(200, TimeUnit.SECONDS);
+        String said = run.get();
 
         assertTrue(said.contains("worker bad is caught and revoked: "), said);
         assertTrue(said.contains("differs when it is played again: found states of the hash x"), said);
@@ -135,8 +135,8 @@ class WorkerVerdictsTest extends ServedLeague {
             TimeUnit.MILLISECONDS.sleep(200);
         }
         play(worker(other, 1, Long.MAX_VALUE));
-        String said = run.get(200, TimeUnit.SECONDS);
-        forging.get(200, TimeUnit.SECONDS);
+        String said = run.get();
+        forging.get();
         assertFalse(said.contains("caught") || said.contains("worker good is doubtful"), said);
         assertTrue(Pattern.compile("worker bad is doubtful: \\w+ answered otherwise than here in 5 of \\d+ games that "
             + "were asked again, here the same twice \\(no other worker to compare with\\), such as turn ")
@@ -157,7 +157,7 @@ class WorkerVerdictsTest extends ServedLeague {
         assertFalse(alone.equals(counting("many")), "its games count");
 
         done("worker", "revoke", "TMP/many", "bad", "--set-aside");
-        said = serve("many", 20, "--threads", "1", "--pause-after", "0").get(200, TimeUnit.SECONDS);
+        said = serve("many", 20, "--threads", "1", "--pause-after", "0").get();
         assertTrue(Pattern.compile("worker bad is revoked; \\d+ of its games are set aside")
             .matcher(said).find(), said);
         assertEquals(alone, counting("many"), said);
@@ -178,7 +178,7 @@ class WorkerVerdictsTest extends ServedLeague {
         WorkerToken token = token("many", "good");
         CompletableFuture<String> run = serve("many", 20, "--threads", "0", "--pause-after", "0");
         play(worker(token, 1, Long.MAX_VALUE));
-        String said = run.get(200, TimeUnit.SECONDS);
+        String said = run.get();
         assertTrue(said.contains("clock plays by the clock: each time it is asked it answers otherwise: turn "), said);
         assertTrue(said.contains("there fails on the league's machine, and does not on worker good: turn 1: found a "
             + "command, expected the fault 'exited with status 3"), said);
@@ -292,7 +292,7 @@ class WorkerVerdictsTest extends ServedLeague {
             assertTrue(told.get(1).matches("worker bad could not play a game: it has not finished its games within "
                 + "[4-9] s, and .*"), told::toString);
             over.set(true);
-            keeping.get(20, TimeUnit.SECONDS);
+            keeping.get();
         }
     }
 

@@ -5,12 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayInputStream;
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.util.Base64;
 import java.util.List;
-import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
 import steward.match.TestScenes;
 import steward.replay.Recorded;
@@ -29,7 +25,7 @@ class PackedTurnsTest {
 
     /** Half the size takes at least every second turn; the last one is always there. */
     @Test
-    void beyondASizeEveryFewTurnsAreLeftOut() throws IOException {
+    void beyondASizeEveryFewTurnsAreLeftOut() {
         byte[] replay = replay();
         String whole = PackedTurns.of(replay);
         assertTrue(unpacked(whole).contains("\"every\":1,"), "all turns");
@@ -38,17 +34,15 @@ class PackedTurnsTest {
         assertFalse(unpacked(half).contains("\"every\":1,"));
     }
 
+    private static String unpacked(String text) {
+        return new String(PageTestPages.unpacked(text), StandardCharsets.ISO_8859_1);
+    }
+
     /** Two hundred bodies that rest take minutes to play, and a match of such must not be played for its page. */
     @Test
     void aMatchWithoutBotsIsNotPlayedAgain() {
         assertNull(SentFrames.of(replay(), "gas.jsonl", TestScenes.TYPES));
         byte[] race = PageTestRaces.play(PageTestRaces.scene("duel"), 5);
         assertNotNull(SentFrames.of(race, "race.jsonl", TestScenes.TYPES));
-    }
-
-    private static String unpacked(String text) throws IOException {
-        try (GZIPInputStream in = new GZIPInputStream(new ByteArrayInputStream(Base64.getDecoder().decode(text)))) {
-            return new String(in.readAllBytes(), StandardCharsets.ISO_8859_1);
-        }
     }
 }

@@ -62,6 +62,26 @@ class PageTestDebugging extends PageTestCase {
     }
 
     @Test
+    void eachAnswerTimeStandsBesideTheLimitOfItsPlayer() {
+        String replay = new String(PageTestRaces.play(PageTestRaces.scene("duel"), 5), StandardCharsets.UTF_8)
+            .replaceFirst("\"protocol\":\"json\"}]", "\"protocol\":\"json\",\"time\":{\"firstAnswerMs\":500,"
+                + "\"answerMs\":60}}]");
+        Path page = pages.page(replay.getBytes(StandardCharsets.UTF_8), "Duel");
+        browser.open(page, "#turn=1");
+        assertLimits(1, 1000, 500);
+        browser.run("steward.seek(2)");
+        assertLimits(2, 75, 60);
+    }
+
+    private static void assertLimits(int turn, int... limits) {
+        browser.await("turn " + turn + " is not shown", () -> browser.text("#turn-shown").equals("Turn " + turn));
+        for (int player = 0; player < limits.length; player++) {
+            String card = browser.text("#cards .card:nth-child(" + (player + 1) + ")");
+            assertTrue(card.contains(" ms of " + limits[player]), card);
+        }
+    }
+
+    @Test
     void aTapOnABodySelectsItAndTheCameraFollowsIt() {
         browser.click("#bodies .body-row:first-child");
         assertEquals(0, browser.number("steward.selected()"));

@@ -6,14 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import java.util.Base64;
-import java.util.zip.GZIPInputStream;
 import org.junit.jupiter.api.Test;
 import steward.replay.ReplayException;
 
@@ -33,26 +29,17 @@ class PageTestFiles {
         return PageTestRaces.play(PageTestRaces.scene("duel"), 5);
     }
 
-    private static byte[] embedded(String page) throws IOException {
-        String open = "type=\"application/octet-stream\"";
-        int from = page.indexOf('>', page.indexOf(open)) + 1;
-        byte[] gzip = Base64.getDecoder().decode(page.substring(from, page.indexOf("</script>", from)));
-        try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(gzip))) {
-            return in.readAllBytes();
-        }
-    }
-
     @Test
     void holdsTheReplayByteForByte() throws IOException {
         byte[] replay = duel();
-        assertArrayEquals(replay, embedded(page(replay, "t")));
+        assertArrayEquals(replay, PageTestPages.embedded(page(replay, "t")));
     }
 
     @Test
     void holdsAReplayThatWasCutOffUpToItsLastWholeLine() throws IOException {
         byte[] replay = duel();
         byte[] cut = Arrays.copyOf(replay, replay.length / 2);
-        String held = new String(embedded(page(cut, "t")), StandardCharsets.UTF_8);
+        String held = new String(PageTestPages.embedded(page(cut, "t")), StandardCharsets.UTF_8);
         assertTrue(held.endsWith("}\n"));
         assertTrue(new String(cut, StandardCharsets.UTF_8).startsWith(held));
     }

@@ -4,74 +4,59 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.net.httpserver.HttpServer;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import org.junit.jupiter.api.Test;
+import steward.live.LiveRecording;
+import steward.live.LiveServer;
 
 /** The page that is given its turns one by one, in a real browser: a live match, and a game it does not know. */
 class PageTestLive extends PageTestCase {
 
-    /** Half of the match, a wait, the other half: the page waits too, and goes on. */
+    /** Some turns, a wait, the others: the page waits too, and goes on. */
     @Test
-    void followsAMatchAsItIsPlayed() throws IOException {
+    void turnsAppearAndTheCopyOutlivesTheServer() throws IOException, InterruptedException {
         byte[] replay = PageTestRaces.play(PageTestRaces.scene("duel"), 5);
         List<String> lines = new String(replay, StandardCharsets.UTF_8).lines().toList();
-        CountDownLatch secondHalf = new CountDownLatch(1);
-        ExecutorService threads = Executors.newCachedThreadPool();
-        HttpServer server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
-        server.setExecutor(threads);
-        server.createContext("/", exchange -> {
-            ByteArrayOutputStream page = new ByteArrayOutputStream();
-            ReplayPage.writeLive(page, "Live", "feed", "match.html");
-            exchange.getResponseHeaders().add("Content-Type", "text/html; charset=utf-8");
-            exchange.sendResponseHeaders(200, page.size());
-            exchange.getResponseBody().write(page.toByteArray());
-            exchange.close();
-        });
-        server.createContext("/feed", exchange -> {
-            exchange.getResponseHeaders().add("Content-Type", "text/event-stream");
-            exchange.sendResponseHeaders(200, 0);
-            try (OutputStream out = exchange.getResponseBody()) {
-                send(out, lines.subList(0, 11));
-                secondHalf.await();
-                send(out, lines.subList(11, lines.size()));
-            } catch (InterruptedException e) {
-                throw new IOException(e);
-            }
-        });
-        server.start();
-        try {
-            browser.go("http://" + server.getAddress().getHostString() + ":" + server.getAddress().getPort() + "/");
-            browser.await("10 turns do not arrive", () -> browser.is("steward.lastTurn() === 10"));
-            browser.await("they are not played", () -> browser.is("steward.time() === 10"));
+        LiveRecording recording = new LiveRecording();
+        try (LiveServer server = LiveServer.start(null, 0, 200, "swift against steady", recording,
+                PageExtras.NONE)) {
+            browser.go(server.address().toString());
+            browser.run("""
+                const make = URL.createObjectURL;
+                URL.createObjectURL = blob => {
+                  blob.text().then(text => { window.kept = text; });
+                  return make.call(URL, blob);
+                };
+                """);
+            write(recording, lines.subList(0, 6));
+            browser.await("5 turns do not appear", () -> browser.is("steward.lastTurn() === 5"));
+            browser.await("they are not played", () -> browser.is("steward.time() === 5"));
             assertTrue(browser.is("steward.playing()"), "it waits for more");
             assertEquals("match.html", browser.run("return document.querySelector('.top a').getAttribute('href')"));
-            secondHalf.countDown();
-            browser.await("the end does not arrive", () -> browser.is("steward.lastTurn() === " + (lines.size() - 2)));
-            browser.run("steward.seek(steward.lastTurn())");
-            assertTrue(browser.text("#ending").contains("wins"));
-        } finally {
-            secondHalf.countDown();
-            server.stop(0);
-            threads.shutdownNow();
+            assertTrue(browser.is("document.body.classList.contains('live')"));
+            write(recording, lines.subList(6, lines.size()));
+            recording.close();
+            server.awaitDelivery(20_000, 20_000);
         }
+        int last = lines.size() - 2;
+        browser.await("the end does not appear", () -> browser.is("steward.lastTurn() === " + last));
+        browser.await("no copy is kept", () -> browser.is("window.kept"));
+        assertTrue(browser.is("!document.body.classList.contains('live')"));
+        String link = (String) browser.run("const a = document.querySelector('a[download]'); "
+            + "return a.download + a.href");
+        assertTrue(link.startsWith("match.htmlblob:"), link);
+        String kept = (String) browser.run("return window.kept");
+        assertTrue(kept.endsWith("</html>\n") && kept.contains("<title>swift against steady</title>"));
+        browser.run("steward.seek(steward.lastTurn())");
+        assertTrue(browser.text("#ending").contains("wins"));
     }
 
-    private static void send(OutputStream out, List<String> lines) throws IOException {
-        for (String line : lines) {
-            out.write(("data: " + line + "\n\n").getBytes(StandardCharsets.UTF_8));
-        }
-        out.flush();
+    private static void write(LiveRecording recording, List<String> lines) {
+        byte[] bytes = (String.join("\n", lines) + "\n").getBytes(StandardCharsets.UTF_8);
+        recording.write(bytes, 0, bytes.length);
     }
 
     /** Nothing of this game is known: bodies come, grow and go, hit each other and walls of all kinds. */
@@ -143,5 +128,40 @@ class PageTestLive extends PageTestCase {
 
     private static long units(Object pixels, double zero, double scale, double origin) {
         return Math.round((((Number) pixels).doubleValue() - zero) / scale - origin);
+    }
+
+    /** Lines as they were said, the referee's own limits, and no field. */
+    private static final List<String> GUEST = List.of("""
+        {"type":"steward-replay","format":3,"game":"guest","seed":"7","timeFactor":2,"players":[{"name":"left"},\
+        {"name":"right"}],"scene":{"name":"heap","game":"guest","players":2},\
+        "drawing":{"field":{"x":0,"y":0,"width":1600,"height":900},"walls":[],"zones":[],"bodies":[]},\
+        "start":{"state":{"bodies":[],"asked":1,"said":[{"block":"NEXT_PLAYER_INFO","lines":["0","0","70"]},\
+        {"block":"NEXT_PLAYER_INPUT","lines":["20"]},\
+        {"block":"NEXT_PLAYER_INFO","lines":["1 2","1000"]}]}}}""", """
+        {"type":"turn","turn":1,"commands":[null,{"lines":["TAKE 3","AND <wait>"]}],\
+        "times":{"answerNanos":[null,5000000]},"outcome":{"state":{"bodies":[],"asked":0,"said":[\
+        {"block":"VIEW","lines":["KEY_FRAME 1","{\\"heap\\": 17}"]},{"block":"INFOS","lines":[]},\
+        {"block":"TOOLTIP","lines":["three","1"]},{"block":"NEXT_PLAYER_INPUT","lines":["17","x"]},\
+        {"block":"NEXT_PLAYER_INFO","lines":["0","1","50"]}]}}}""", """
+        {"type":"turn","turn":2,"commands":[{"lines":["TAKE 1"]},null],"times":{"answerNanos":[1000000,null]},\
+        "outcome":{"state":{"bodies":[],"said":[{"block":"SCORES","lines":["0 0","1 1"]}]}}}""");
+
+    @Test
+    void aGuestIsShownByItsLines() {
+        browser.open(pages.live("A heap"), "");
+        GUEST.forEach(line -> browser.run("steward.addTurn(arguments[0])", line));
+        browser.run("steward.seek(1)");
+        assertTrue(browser.is("document.body.classList.contains('drawingless')"), "there is nothing to draw");
+        String cards = text("#cards");
+        assertTrue(cards.contains("5.00 ms of 2000") && cards.contains("TAKE 3\nAND <wait>"), cards);
+        assertEquals("askedleftVIEWKEY_FRAME 1\n{\"heap\": 17}TOOLTIPthree\n1NEXT_PLAYER_INPUT17\nx"
+            + "NEXT_PLAYER_INFO0\n1\n50", text("#state"));
+        browser.run("steward.seek(2)");
+        assertTrue(text("#cards").contains("1.00 ms of 100"), text("#cards"));
+        assertTrue(!text("#charts").contains("no deadlines"), text("#charts"));
+    }
+
+    private static String text(String selector) {
+        return (String) browser.run("return document.querySelector(arguments[0]).textContent", selector);
     }
 }

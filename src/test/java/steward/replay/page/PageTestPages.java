@@ -1,11 +1,15 @@
 package steward.replay.page;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Base64;
 import java.util.regex.Matcher;
+import java.util.zip.GZIPInputStream;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Writes pages for tests, of replays as they are or tampered with. */
@@ -53,6 +57,21 @@ public final class PageTestPages {
     /** The replay with everything that player 0 writes to stderr replaced. */
     static byte[] withStderr(byte[] replay, String stderr) {
         return replaced(replay, "\"stderr\":\\[\"[^\"]*\"", "\"stderr\":[" + quote(stderr));
+    }
+
+    /** Returns the replay within a page. */
+    public static byte[] embedded(String page) {
+        int from = page.indexOf('>', page.indexOf("type=\"application/octet-stream\"")) + 1;
+        return unpacked(page.substring(from, page.indexOf("</script>", from)));
+    }
+
+    /** Returns the content of a packed text, as pages have them. */
+    static byte[] unpacked(String text) {
+        try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(Base64.getDecoder().decode(text)))) {
+            return in.readAllBytes();
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
     }
 
     private static byte[] replaced(byte[] replay, String pattern, String by) {

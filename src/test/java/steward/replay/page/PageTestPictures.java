@@ -17,8 +17,6 @@ class PageTestPictures extends PageTestCase {
         window.kept = [];
         URL.createObjectURL = blob => { kept.push(blob); return '#'; };
         HTMLAnchorElement.prototype.click = function () { window.keptName = this.download; };""";
-    /** Reads a kept picture as a browser does. */
-    private static final String READ = "createImageBitmap(kept[0]).then(image => (window.image = image))";
     /** The colour of a pixel near the left end of a player's cell, as #rrggbb. */
     private static final String COLOUR = """
         const canvas = document.createElement('canvas');
@@ -33,6 +31,12 @@ class PageTestPictures extends PageTestCase {
     @BeforeAll
     static void play() {
         page = pages.page(PageTestRaces.play(PageTestRaces.scene("duel"), 5), "Duel");
+    }
+
+    /** Reads a kept picture as a browser does. */
+    private static void read() {
+        browser.run("createImageBitmap(kept[0]).then(image => (window.image = image))");
+        browser.await("no image comes of it", () -> browser.is("window.image"));
     }
 
     /** A GIF begins with its name, and has its width and height in two bytes each, the low one first. */
@@ -51,8 +55,7 @@ class PageTestPictures extends PageTestCase {
         browser.await("it is not read", () -> browser.is("window.gif"));
         assertEquals("GIF89a", browser.run("return String.fromCharCode(...gif.subarray(0, 6))"));
         assertTrue(browser.is("(gif[6] | gif[7] << 8) <= 640"));
-        browser.run(READ);
-        browser.await("no image comes of it", () -> browser.is("window.image"));
+        read();
         assertTrue(browser.is("image.width === (gif[6] | gif[7] << 8)"), "a browser reads it");
     }
 
@@ -63,8 +66,7 @@ class PageTestPictures extends PageTestCase {
         browser.run(KEEP);
         browser.press("p");
         browser.await("no picture is made", () -> browser.is("window.kept.length === 1"));
-        browser.run(READ);
-        browser.await("no image comes of it", () -> browser.is("window.image"));
+        read();
         for (int player = 0; player < 2; player++) {
             assertEquals(browser.run("return steward.colourOf(arguments[0])", player), browser.run(COLOUR, player));
         }
