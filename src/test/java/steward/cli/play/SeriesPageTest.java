@@ -8,9 +8,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -38,10 +36,9 @@ class SeriesPageTest extends PageTestCase {
     }
 
     private Path played(String other, String... more) {
-        Cli cli = Cli.run(Stream.concat(Stream.of("match", "--scene", folder + "/short.json", "--bot",
+        Cli cli = Cli.run(List.of("match", "--scene", folder + "/short.json", "--bot",
             "drives=codingame:" + bots.driver(), "--bot", other, "--games", "3", "--swap", "--seed", "5", "--view",
-            folder + "/series.html", "--overwrite"), Arrays.stream(more)).toArray(String[]::new));
-        assertEquals(0, cli.status(), cli.err());
+            folder + "/series.html", "--overwrite"), more).done();
         assertTrue(cli.out().contains("Page: " + folder + "/series.html"), cli.out());
         return folder.resolve("series.html");
     }

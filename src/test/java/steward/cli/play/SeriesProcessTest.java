@@ -10,7 +10,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -61,10 +60,10 @@ class SeriesProcessTest extends ShellBotsCase {
     }
 
     private String call(String... more) throws IOException {
-        return ProcessTest.steward(Stream.concat(Stream.of("match", "--scene", "duel", "--no-deadline",
+        return ProcessTest.steward(Cli.words(List.of("match", "--scene", "duel", "--no-deadline",
             "--sandbox", "off", "--seed", "5",
             "--bot", bots.driver("near", ShellBots.CHECKPOINT), "--bot", sleeper(), "--games", "9", "--out",
-            replays.toString()), Stream.of(more)).toArray(String[]::new));
+            replays.toString()), more));
     }
 
     /** Interrupts it as Ctrl-C does when the third game is under way; what it wrote to stdout. */

@@ -14,7 +14,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.Stream;
 import java.util.zip.GZIPOutputStream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -157,9 +156,7 @@ class ImportCommandTest {
         String page = folder.resolve("page.html").toString();
         for (String[] look : new String[][] {{}, {"--turn", "3"}, {"--impacts"}, {"--map"}, {"--view", page},
             {"--frames", "--player", "1"}}) {
-            String[] all = Stream.concat(Stream.of("replay", replay.toString()), Stream.of(look))
-                .toArray(String[]::new);
-            Cli cli = Cli.run(all).done();
+            Cli cli = Cli.run(List.of("replay", replay.toString()), look).done();
             assertFalse(cli.out().contains("NaN") || cli.out().contains("null"), cli.out());
         }
         refused(replay + ":1: imported: found an import of an earlier version, expected one of this version: 'steward "

@@ -11,12 +11,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -53,9 +51,8 @@ class KeyCommandTest {
     }
 
     private static Cli match(Path out, String... more) {
-        String[] call = {"match", "--scene", "duel", "--bot", "builtin:racer", "--bot", "builtin:racer", "--seed", "1",
-            "--no-deadline", "--quiet", "--out", out.toString()};
-        return Cli.run(Stream.of(call, more).flatMap(Arrays::stream).toArray(String[]::new));
+        return Cli.run(List.of("match", "--scene", "duel", "--bot", "builtin:racer", "--bot", "builtin:racer", "--seed",
+            "1", "--no-deadline", "--quiet", "--out", out.toString()), more);
     }
 
     private static Cli verify(Path replay, Path key) {
