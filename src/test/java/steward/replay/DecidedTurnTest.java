@@ -1,6 +1,5 @@
 package steward.replay;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -10,6 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -21,7 +21,6 @@ import steward.match.Protocol;
 import steward.match.TestScenes;
 import steward.replay.feed.Feed;
 import steward.replay.feed.Takeover;
-import steward.replay.verify.Verification;
 
 /**
  * A fault that leaves one player in a Poker Chip Race: the turn is not played, and who comes later is not asked for it.
@@ -59,6 +58,13 @@ class DecidedTurnTest {
             bots);
     }
 
+    /** Returns in how many turns there is a command or a fault, for each player. */
+    private static List<Integer> recorded(byte[] replay) {
+        RecordedMatch match = match(replay);
+        return IntStream.range(0, match.header().names().size()).mapToObj(player -> (int) match.turns().stream()
+            .filter(turn -> turn.faults()[player] != null || turn.hasCommand(player)).count()).toList();
+    }
+
     private static RecordedMatch match(byte[] replay) {
         return RecordedMatch.read(Recorded.reader(replay));
     }
@@ -72,10 +78,8 @@ class DecidedTurnTest {
 
         assertEquals(numbers(asked), bots.stream().map(DecidedTurnTest::asked).toList());
         assertEquals(numbers(asked), game.result().players().stream().map(MatchResult.PlayerResult::answers).toList());
-        int[] counted = new int[bots.size()];
-        Verification found = Verification.of(Recorded.reader(game.bytes()), TestScenes.TYPES, counted);
-        assertEquals(Recorded.whole(Collections.max(numbers(asked))), found);
-        assertEquals(numbers(asked), Arrays.stream(counted).boxed().toList());
+        assertEquals(Recorded.whole(Collections.max(numbers(asked))), game.verify());
+        assertEquals(numbers(asked), recorded(game.bytes()));
     }
 
     /** Before, all who were in were asked for the turn, and what they said was recorded. */
@@ -86,10 +90,8 @@ class DecidedTurnTest {
         assertTrue(command.startsWith("[{\"wait\":true}"), command);
         byte[] older = Forge.of(game).forge(3, "\\[null,null\\]", "[null," + command + "]").text()
             .getBytes(StandardCharsets.UTF_8);
-        int[] counted = new int[2];
-        Verification found = Verification.of(Recorded.reader(older), TestScenes.TYPES, counted);
-        assertEquals(Recorded.whole(3), found);
-        assertArrayEquals(new int[] {3, 3}, counted);
+        assertEquals(Recorded.whole(3), Recorded.verify(older));
+        assertEquals(List.of(3, 3), recorded(older));
         assertEquals(3, match(older).lastAsked(1));
     }
 

@@ -17,7 +17,6 @@ import steward.match.TestScenes;
 import steward.match.TimeControl;
 import steward.replay.sign.SigningKey;
 import steward.replay.verify.SignatureCheck;
-import steward.replay.verify.ViewCounts;
 import steward.replay.verify.Verification;
 
 /**
@@ -98,8 +97,7 @@ public record Recorded(byte[] bytes, MatchResult result) {
 
     /** Returns the expected verification of a replay with so many turns, all of which agree, and its result. */
     public static Verification whole(int turns) {
-        return new Verification(turns, turns, true, null, null, ViewCounts.NONE, null,
-            SignatureCheck.UNSIGNED);
+        return new Verification(turns, turns, true, null, null, null, SignatureCheck.UNSIGNED);
     }
 
     public Verification verify() {

@@ -22,6 +22,7 @@ import steward.match.GuestSetup;
 import steward.replay.ReplayReader;
 import steward.replay.verify.ReplayDifference;
 import steward.replay.verify.Verification;
+import steward.replay.verify.ViewComparison;
 import steward.text.TextFormat;
 
 /**
@@ -47,8 +48,10 @@ record GuestImport(Streams streams, String text, String source, List<String> sce
      * @param name     of scene and level, for people
      * @param replay   of it; empty if the referee failed
      * @param compared {@code null} if the referee failed
+     * @param views    as they were compared
      */
-    private record Played(String name, RecordingImport.Imported imported, byte[] replay, Verification compared) {
+    private record Played(String name, RecordingImport.Imported imported, byte[] replay, Verification compared,
+                          ViewComparison views) {
 
         boolean isSame() {
             return compared != null && compared.agrees() && imported.note() == null;
@@ -93,17 +96,17 @@ record GuestImport(Streams streams, String text, String source, List<String> sce
                 object.writeNumberProperty("turns", played.imported.turns());
                 object.writeStringProperty("ending", played.imported.ending());
                 object.writeStringProperty("replay", out);
-                object.writeNumberProperty("equal", played.compared.views().values());
+                object.writeNumberProperty("equal", played.views.values());
                 object.writeStringProperty("difference", played.compared.difference() == null ? null
                     : played.compared.difference().toString());
                 object.writeStringProperty("note", played.imported.note());
-                JsonObject.writeTexts(object, "notCompared", played.compared.views().notCompared());
+                JsonObject.writeTexts(object, "notCompared", played.views.notCompared());
                 JsonObject.writeTexts(object, "others", others);
             });
         } else {
             streams.out().println("imported: " + TextFormat.count(played.imported.turns(), "turn") + ", "
                 + (played.imported.ending() == null ? "and there the recording ends" : played.imported.ending()));
-            new VerifyReport(streams.out(), streams.outColour(), true, null, null, null, false)
+            new VerifyReport(streams.out(), streams.outColour(), true, null, null, null, false, played.views)
                 .print(reader(played.replay), played.compared);
             if (played.imported.note() != null) {
                 streams.out().println("not played: " + played.imported.note());
@@ -136,7 +139,7 @@ record GuestImport(Streams streams, String text, String source, List<String> sce
         try {
             return play(setup, name).found();
         } catch (RefereeFault fault) {
-            return new Played(name, null, new byte[0], null).found();
+            return new Played(name, null, new byte[0], null, null).found();
         }
     }
 
@@ -158,7 +161,8 @@ record GuestImport(Streams streams, String text, String source, List<String> sce
         try {
             RecordingImport.Imported imported = RecordingImport.ofGuest(text, source, TYPES, setup).write(replay);
             byte[] bytes = replay.toByteArray();
-            return new Played(name, imported, bytes, Verification.of(reader(bytes), TYPES));
+            ViewComparison views = new ViewComparison();
+            return new Played(name, imported, bytes, Verification.of(reader(bytes), TYPES, views), views);
         } catch (IllegalArgumentException problem) {
             throw new InputException(problem.getMessage());
         }

@@ -25,6 +25,7 @@ import steward.files.OutputFiles;
 import steward.replay.ReplayReader;
 import steward.replay.sign.SignerKey;
 import steward.replay.verify.Verification;
+import steward.replay.verify.ViewComparison;
 
 /** {@code steward replay}: shows a recorded match, or plays it again and compares. */
 @Command(name = "replay", description = "Prints a recorded match turn by turn, or plays it again and compares.",
@@ -190,7 +191,7 @@ public final class ReplayCommand extends ProgramCommand {
         try (ReplayReader replay = piped ? StandardFiles.openReplay(streams) : open(OutputFiles.path(file))) {
             if (verify) {
                 return verify(replay, new VerifyReport(streams.out(), streams.outColour(), partial, keyFile, key,
-                    require, quiet));
+                    require, quiet, new ViewComparison()));
             }
             if (replay.header() == null) {
                 streams.warn(replay.warning());
@@ -378,7 +379,7 @@ public final class ReplayCommand extends ProgramCommand {
     }
 
     private int verify(ReplayReader replay, VerifyReport report) {
-        Verification verification = Verification.of(replay, referee.types());
+        Verification verification = Verification.of(replay, referee.types(), report.views());
         if (json) {
             return new ReplayJson(streams, replay).verification(verification, report);
         }

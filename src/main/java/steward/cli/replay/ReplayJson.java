@@ -146,10 +146,10 @@ record ReplayJson(Streams streams, ReplayReader replay) {
                 out.writeStringProperty("found", difference.found());
                 out.writeEndObject();
             }
-            if (!verification.views().notCompared().isEmpty()) {
-                out.writeNumberProperty("values", verification.views().values());
-                out.writeNumberProperty("near", verification.views().nearInAll());
-                JsonObject.writeTexts(out, "notCompared", verification.views().notCompared());
+            if (!report.views().notCompared().isEmpty()) {
+                out.writeNumberProperty("values", report.views().values());
+                out.writeNumberProperty("near", report.views().nearInAll());
+                JsonObject.writeTexts(out, "notCompared", report.views().notCompared());
             }
             out.writeStringProperty("olderLaw", verification.olderLaw());
             out.writeStringProperty("isolation", verification.signature().isolation());

@@ -11,7 +11,7 @@ import steward.replay.sign.SignerKey;
 import steward.replay.verify.ReplayDifference;
 import steward.replay.verify.SignatureCheck;
 import steward.replay.verify.Verification;
-import steward.replay.verify.ViewCounts;
+import steward.replay.verify.ViewComparison;
 import steward.text.TextFormat;
 
 /**
@@ -22,9 +22,10 @@ import steward.text.TextFormat;
  * @param key     that key, or {@code null}
  * @param least   the level at which bots must have been kept apart at least, or {@code null}
  * @param quiet   whether only what does not agree is printed
+ * @param views   of a server, as the verification has compared them
  */
 record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, SignerKey key,
-                    SandboxLevel least, boolean quiet) {
+                    SandboxLevel least, boolean quiet, ViewComparison views) {
 
     /** Characters of a server's line that are printed. */
     private static final int LONGEST = 1000;
@@ -40,7 +41,7 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
                 out.println("  server: " + TextFormat.plain(TextFormat.beginning(lines.server(), LONGEST)));
                 out.println("  here:   " + TextFormat.plain(TextFormat.beginning(lines.ours(), LONGEST)));
             }
-            shown(verification.views());
+            shown();
             return status(wrong, verification);
         }
         boolean verified = verification.verified();
@@ -49,7 +50,7 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
             out.println((verified ? colour.good("verified:") : colour.warning("verified up to the cut:")) + " "
                 + (start ? "only the start, since no turn was recorded" : compared(replay, verification))
                 + (verification.whole() ? " and the result" : ""));
-            shown(verification.views());
+            shown();
             SignatureCheck signature = verification.signature();
             if (signature.verdict() == SignatureCheck.Verdict.RIGHT) {
                 out.println("signed by " + signature.signer()
@@ -110,7 +111,7 @@ record VerifyReport(PrintStream out, Colour colour, boolean partial, Path file, 
             && each.word().equals(level)) ? null : "the signature says that bots were kept apart at level " + level;
     }
 
-    private void shown(ViewCounts views) {
+    private void shown() {
         if (!views.notCompared().isEmpty()) {
             out.println("views: " + views.values() + " numbers and words equal"
                 + (views.nearInAll() == 0 ? "" : ", " + views.nearInAll() + " within 1e-9 of ours"

@@ -42,43 +42,33 @@ final class LineCheck {
     private int outcomeFrom;
     private int outcomeTo;
 
-    LineCheck(ReplayReader replay, Resimulation again) {
+    /** @param views compares what a server has shown; {@code null} if nothing can be compared with it */
+    LineCheck(ReplayReader replay, Resimulation again, ViewComparison views) {
         this.replay = replay;
         this.again = again;
         signed = new SignedLines(replay);
         game = again.game();
         server = replay.imported() ? new ServerRecording() : null;
-        views = again.views() == null ? null : new ViewComparison(again.views(), game);
+        this.views = views;
         ReplayHeader header = replay.header();
         lines = new ReplayLines(new ReplayHeader(header.game(), again.setup().scene().json(), header.seed(),
             header.names(), header.bots(), header.protocols(), header.timeFactor(), header.law(),
             header.signer()).ofJar(header.jar()).ofLimits(header.limits()), server);
     }
 
-    /**
-     * Verifies the replay from its first turn to its end or cut.
-     *
-     * @param asked counts in how many turns each player was asked; or {@code null}
-     */
-    Verification verify(int... asked) {
+    /** Verifies the replay from its first turn to its end or cut. */
+    Verification verify() {
         ReplayDifference difference = header();
         String[] faults = new String[game.players()];
-        boolean[] in = new boolean[faults.length];
         int turns = 0;
         int states = 0;
         boolean whole = false;
         while (difference == null && !whole) {
             byte[] line = replay.nextLine();
-            for (int player = 0; player < in.length; player++) {
-                in[player] = !game.isOver() && game.isAsked(player);
-            }
             boolean same = line != null && isSame(line);
             RecordedTurn turn = same ? null : replay.turn(line);
             if (!same && turn == null && replay.result() == null) {
                 break;
-            }
-            for (int player = 0; asked != null && player < in.length; player++) {
-                asked[player] += in[player] && (turn == null || turn.asked(player)) ? 1 : 0;
             }
             if (same) {
                 replay.passed(turns + 1);
@@ -97,8 +87,8 @@ final class LineCheck {
             }
         }
         return new Verification(turns, views == null ? states : views.turns(), whole,
-            views == null || views.difference() == null ? difference : views.difference(), replay.warning(),
-            views == null ? ViewCounts.NONE : views.counts(), null, signed.check(whole));
+            views == null || views.difference() == null ? difference : views.difference(), replay.warning(), null,
+            signed.check(whole));
     }
 
     ReplayDifference header() {
@@ -175,7 +165,7 @@ final class LineCheck {
                 return wrong;
             }
             if (views != null) {
-                again.views().before();
+                views.before();
             }
             play(turn);
             lines.texts(turn);

@@ -41,7 +41,6 @@ public final class Resimulation {
     private final GameSetup setup;
     private final Game game;
     private final GameJson codec;
-    private final ViewWriter views;
     /** Name of the replay whose referee only says what is recorded; {@code null} otherwise. */
     private final String recorded;
     private final LineParser lines = new LineParser();
@@ -59,13 +58,8 @@ public final class Resimulation {
         this(header, start, types, source, null);
     }
 
-    /**
-     * As above.
-     *
-     * @param views writes what a server would have shown of the match; or {@code null}
-     */
+    /** @param views writes what a server would have shown of the match, so that the game records it; or {@code null} */
     Resimulation(ReplayHeader header, byte[] start, GameTypes types, String source, ViewWriter views) {
-        this.views = views;
         outcome = start;
         Scene scene = SceneReader.read(header.scene(), source + " (scene)");
         if (types.guest() == null || !types.guest().id().equals(header.game())) {
@@ -96,9 +90,6 @@ public final class Resimulation {
             game = setup.create(header.seed());
         }
         codec = setup.codec(game);
-        if (views != null) {
-            views.begin(game);
-        }
         noFaults = new String[game.players()];
         if (game.players() != header.names().size()) {
             throw new ReplayException(source + ":1: players: found " + header.names().size() + ", expected "
@@ -157,7 +148,6 @@ public final class Resimulation {
     /** A match in a scene that is open already, from its seed. */
     public Resimulation(GameSetup setup, long seed) {
         this.setup = setup;
-        views = null;
         recorded = null;
         game = setup.create(seed);
         codec = setup.codec(game);
@@ -172,11 +162,6 @@ public final class Resimulation {
     /** The game as it stands after the turns played again. */
     public Game game() {
         return game;
-    }
-
-    /** Writes what a server would have shown, or {@code null}. */
-    ViewWriter views() {
-        return views;
     }
 
     public GameJson codec() {

@@ -1,6 +1,7 @@
 package steward.replay.verify;
 
 import steward.game.GameTypes;
+import steward.game.ViewWriter;
 import steward.replay.ReplayException;
 import steward.replay.ReplayReader;
 
@@ -13,13 +14,12 @@ import steward.replay.ReplayReader;
  * @param whole      whether there is a result, and it agrees
  * @param difference the first difference, or {@code null} if there is none
  * @param warning    where the file was cut off, or {@code null}
- * @param views      what the server's own texts of an imported match are worth: how much of them was compared
  * @param olderLaw   by which law the match was played, where that is older than the one of its rung and nothing was
  *                   compared; otherwise {@code null}
  * @param signature  what its signature is worth; {@code CUT_OFF} wherever it was not reached
  */
 public record Verification(int turns, int states, boolean whole, ReplayDifference difference, String warning,
-                           ViewCounts views, String olderLaw, SignatureCheck signature) {
+                           String olderLaw, SignatureCheck signature) {
 
     /** True if everything recorded agrees, even if the replay was cut off; false if the header is incomplete. */
     public boolean agrees() {
@@ -43,12 +43,11 @@ public record Verification(int turns, int states, boolean whole, ReplayDifferenc
     }
 
     /**
-     * Verifies a replay as {@link #of(ReplayReader, GameTypes)} does, and counts questions.
+     * Verifies a replay as {@link #of(ReplayReader, GameTypes)} does.
      *
-     * @param asked counts in how many turns each player was asked, one element a player; or {@code null}
-     * @throws ReplayException as above; also if there are not as many players
+     * @param views counts what is compared of an import's frames, for one verification; or {@code null}
      */
-    public static Verification of(ReplayReader replay, GameTypes types, int[] asked) {
+    public static Verification of(ReplayReader replay, GameTypes types, ViewComparison views) {
         if (replay.header() == null) {
             return uncompared(replay, null);
         }
@@ -57,14 +56,11 @@ public record Verification(int turns, int states, boolean whole, ReplayDifferenc
                 + "one of this version: 'steward import' makes it anew from the recording");
         }
         try {
-            Resimulation again = new Resimulation(replay.header(), null, types, replay.source(),
-                !replay.imported() ? null : types.viewWriter(replay.header().game()).orElse(null));
+            ViewWriter writer = !replay.imported() ? null : types.viewWriter(replay.header().game()).orElse(null);
+            Resimulation again = new Resimulation(replay.header(), null, types, replay.source(), writer);
             try {
-                if (asked != null && asked.length != again.game().players()) {
-                    throw new ReplayException(replay.source() + ":1: players: found " + again.game().players()
-                        + ", expected " + asked.length);
-                }
-                return new LineCheck(replay, again).verify(asked);
+                return new LineCheck(replay, again, writer == null ? null
+                    : (views == null ? new ViewComparison() : views).of(writer, again.game())).verify();
             } finally {
                 again.game().close();
             }
@@ -74,7 +70,7 @@ public record Verification(int turns, int states, boolean whole, ReplayDifferenc
     }
 
     private static Verification uncompared(ReplayReader replay, String olderLaw) {
-        return new Verification(0, 0, false, null, replay.warning(), ViewCounts.NONE, olderLaw,
+        return new Verification(0, 0, false, null, replay.warning(), olderLaw,
             SignatureCheck.UNSIGNED);
     }
 }

@@ -15,21 +15,23 @@ import steward.text.TextFormat;
 
 /**
  * Comparison of a server's frames, line by line and word by word, with the frames that it would have written for our
- * game. The comparison stops at the first difference, since the games differ from there on.
+ * game. The comparison stops at the first difference, since the games differ from there on. It counts the numbers and
+ * words that agree, and names the ones that are not compared.
  */
-final class ViewComparison {
+public final class ViewComparison {
 
     /** Greatest relative distance of a number from ours that need only be near. */
     private static final double NEAR = 1e-9;
 
+    private static final int MOST_NEAR = 5;
     /** Characters of a line that are shown before the first that differs. */
     private static final int BEFORE = 40;
     /** Number or word of a text of which nothing else is known. */
     private static final Pattern VALUE = Pattern.compile("[^\\s,:;{}\\[\\]\"]+");
     private static final Pattern NUMBER = Pattern.compile("[-+]?[0-9]+(\\.[0-9]+)?([eE][-+]?[0-9]+)?");
 
-    private final ViewWriter writer;
-    private final Game game;
+    private ViewWriter writer;
+    private Game game;
     private final List<String> near = new ArrayList<>();
     private int nearInAll;
     private boolean any;
@@ -43,14 +45,33 @@ final class ViewComparison {
     private boolean isResultCompared = true;
     private ReplayDifference difference;
 
-    ViewComparison(ViewWriter writer, Game game) {
-        this.writer = writer;
-        this.game = game;
+    /** Begins with a game that has not been played yet. @return this */
+    ViewComparison of(ViewWriter itsWriter, Game ours) {
+        writer = itsWriter;
+        game = ours;
+        writer.begin(game);
+        return this;
     }
 
-    ViewCounts counts() {
+    /** Returns how many numbers and words agree. */
+    public long values() {
+        return values;
+    }
+
+    /** Numbers that are only within 1e-9 of ours, each by its place; the first few of them. */
+    public List<String> near() {
+        return near;
+    }
+
+    /** Returns how many numbers are only within 1e-9 of ours. */
+    public int nearInAll() {
+        return nearInAll;
+    }
+
+    /** Returns in words what the server shows and was not compared; empty if it shows nothing. */
+    public List<String> notCompared() {
         if (!any) {
-            return ViewCounts.NONE;
+            return List.of();
         }
         List<String> notCompared = new ArrayList<>(writer.notCompared());
         if (missing > 0) {
@@ -69,7 +90,7 @@ final class ViewComparison {
         if (!isResultCompared) {
             notCompared.add("ranks and scores");
         }
-        return new ViewCounts(values, near, nearInAll, notCompared);
+        return notCompared;
     }
 
     /** The first difference, or {@code null}. */
@@ -88,6 +109,11 @@ final class ViewComparison {
             beforeLast(0, frames);
             compare(0, frames.get(frames.size() - 1), start, true);
         }
+    }
+
+    /** Notes how the game stands before a turn. */
+    void before() {
+        writer.before();
     }
 
     /** Compares the frames of the turn just played. */
@@ -232,7 +258,7 @@ final class ViewComparison {
                 values++;
             } else if (!plain.equals(our) && distance(their, plain) <= NEAR) {
                 nearInAll++;
-                if (near.size() < ViewCounts.MOST_NEAR) {
+                if (near.size() < MOST_NEAR) {
                     near.add(new ReplayDifference(turn, place, their, plain).toString());
                 }
             } else {

@@ -22,6 +22,7 @@ import steward.game.ChangedWords;
 import steward.match.TestSize;
 import steward.replay.verify.ReplayDifference;
 import steward.replay.verify.Verification;
+import steward.replay.verify.ViewComparison;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
@@ -72,6 +73,13 @@ class GameRecordingImportTest {
         assertEquals(field, difference.field(), difference.toString());
     }
 
+    /** Verifies a recording that agrees. @return its counts */
+    private static ViewComparison views(String json) {
+        ViewComparison views = new ViewComparison();
+        assertNull(ImportedRecording.of(json).verified(views).difference());
+        return views;
+    }
+
     @Test
     void aWholeGameVerifies() {
         ImportedRecording whole = ImportedRecording.of(GAME.json());
@@ -89,15 +97,13 @@ class GameRecordingImportTest {
 
     @Test
     void textsThatTheRecordingLacksAreTold() {
-        List<String> all = ImportedRecording.verified(GAME.json()).views().notCompared();
+        List<String> more = new ArrayList<>(views(GAME.json()).notCompared());
         ObjectNode game = GAME.gameResult();
         ImportedRecording.frame(game, 4).remove("summary");
         ImportedRecording.frame(game, 5).remove("view");
-        Verification verification = ImportedRecording.verified(game);
-        assertNull(verification.difference());
-        List<String> more = new ArrayList<>(all);
+        ViewComparison views = views(game.toString());
         more.add("2 texts of frames that the recording lacks");
-        assertEquals(more, verification.views().notCompared());
+        assertEquals(more, views.notCompared());
     }
 
     @Test
@@ -182,17 +188,16 @@ class GameRecordingImportTest {
     /** As another library's sines make them. */
     @Test
     void timesAndImpulsesThatAreNearAreCountedApartAndNamed() {
-        Verification exact = ImportedRecording.verified(GAME.json());
-        assertEquals(0, exact.views().nearInAll());
+        ViewComparison exact = views(GAME.json());
+        assertEquals(0, exact.nearInAll());
         int turn = GAME.impactTurns().get(1);
         for (int word : new int[] {TIME, IMPULSE}) {
-            Verification found = ImportedRecording.verified(spoilt(OfficialGame.keyFrame(turn), FIRST_IMPACT,
-                word(word, number -> Double.toString(Math.nextUp(Double.parseDouble(number))))));
-            assertNull(found.difference());
-            assertEquals(1, found.views().nearInAll());
-            assertTrue(found.views().near().get(0).startsWith("turn " + turn + ", view line 10, word " + word
-                + ": recorded "), found.views().near().get(0));
-            assertEquals(exact.views().values() - 1, found.views().values());
+            ViewComparison found = views(spoilt(OfficialGame.keyFrame(turn), FIRST_IMPACT,
+                word(word, number -> Double.toString(Math.nextUp(Double.parseDouble(number))))).toString());
+            assertEquals(1, found.nearInAll());
+            assertTrue(found.near().get(0).startsWith("turn " + turn + ", view line 10, word " + word
+                + ": recorded "), found.near().get(0));
+            assertEquals(exact.values() - 1, found.values());
         }
     }
 
@@ -201,10 +206,11 @@ class GameRecordingImportTest {
     void framesBehindTheFirstDifferenceAreKeptAndCounted() {
         ImportedRecording recording = ImportedRecording.of(spoilt(OfficialGame.keyFrame(40), 1,
             word(0, GameRecordingImportTest::plusOne)).toString());
-        Verification found = recording.verified();
+        ViewComparison views = new ViewComparison();
+        Verification found = recording.verified(views);
         assertEquals(39, found.turns());
         String behind = 2 * (GAME.turns() - 40) + " frames behind the first difference";
-        assertTrue(found.views().notCompared().contains(behind), found.views().notCompared()::toString);
+        assertTrue(views.notCompared().contains(behind), views.notCompared()::toString);
         assertTrue(recording.text().contains("{\"view\":\" " + 2 * GAME.turns() + " endReached"), "the last frame");
         String[] here = found.difference().lines().ours().split(" ");
         assertEquals(found.difference().lines().server().split(" ")[0], plusOne(here[0]));
@@ -276,10 +282,11 @@ class GameRecordingImportTest {
         }
         ObjectNode first = (ObjectNode) frames.get(0);
         first.put("view", String.join("\r\n", first.get("view").stringValue().lines().limit(4).toList()));
-        Verification verification = ImportedRecording.verified(game);
+        ViewComparison views = new ViewComparison();
+        Verification verification = ImportedRecording.of(game.toString()).verified(views);
         assertNull(verification.difference());
         assertEquals(GAME.turns(), verification.turns());
-        assertTrue(verification.views().notCompared().toString().contains("texts of frames that the recording lacks"));
+        assertTrue(views.notCompared().toString().contains("texts of frames that the recording lacks"));
     }
 
     /** The first 30 turns. @param answers of each player in the last; an empty one is as it was, null is none */

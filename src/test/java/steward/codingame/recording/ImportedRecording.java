@@ -2,6 +2,7 @@ package steward.codingame.recording;
 
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -10,7 +11,9 @@ import java.util.function.Consumer;
 import steward.codingame.recording.RecordingImport.Imported;
 import steward.game.podrace.RulesEdition;
 import steward.match.TestScenes;
+import steward.replay.ReplayReader;
 import steward.replay.verify.Verification;
+import steward.replay.verify.ViewComparison;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.node.ArrayNode;
 import tools.jackson.databind.node.ObjectNode;
@@ -87,7 +90,12 @@ record ImportedRecording(Imported imported, byte[] replay) {
     }
 
     Verification verified() {
-        return TextMatches.verify(replay);
+        return verified(new ViewComparison());
+    }
+
+    /** @param views counts what is compared */
+    Verification verified(ViewComparison views) {
+        return Verification.of(new ReplayReader(new ByteArrayInputStream(replay), "r.jsonl"), TestScenes.TYPES, views);
     }
 
     /** What a verification lacks, or {@code null}. */

@@ -23,6 +23,7 @@ import steward.game.ChangedWords;
 import steward.game.GroundTruth;
 import steward.match.TestSize;
 import steward.replay.verify.Verification;
+import steward.replay.verify.ViewComparison;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.node.ArrayNode;
@@ -200,9 +201,10 @@ class WordsAreComparedTest {
     /** Text that is refused or found; {@code null} for nothing. */
     private static String difference(ObjectNode game) {
         try {
-            Verification found = ImportedRecording.verified(game);
+            ViewComparison views = new ViewComparison();
+            Verification found = ImportedRecording.of(game.toString()).verified(views);
             return found.difference() != null ? found.difference().toString()
-                : found.views().near().stream().findFirst().orElse(null);
+                : views.near().stream().findFirst().orElse(null);
         } catch (IllegalArgumentException | DifferentGameException refused) {
             return refused.getMessage();
         }

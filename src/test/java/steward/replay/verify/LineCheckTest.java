@@ -37,7 +37,7 @@ class LineCheckTest {
     private LineCheck check() {
         ReplayReader reader = Recorded.reader(match.bytes());
         LineCheck check = new LineCheck(reader,
-            new Resimulation(reader.header(), null, TestScenes.TYPES, "r.jsonl"));
+            new Resimulation(reader.header(), null, TestScenes.TYPES, "r.jsonl"), null);
         assertNull(check.header());
         return check;
     }
