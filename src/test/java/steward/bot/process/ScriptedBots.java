@@ -21,6 +21,9 @@ import steward.bot.isolation.SandboxSupport;
 /** Bots for tests, written as shell scripts, and how tests talk to them and look whether they are still there. */
 public final class ScriptedBots {
 
+    /** Bits of the signals in a mask of the system. */
+    private static final long HUP_AND_INT = 3;
+
     /** No deadline. */
     public static final long FOREVER = Long.MAX_VALUE;
 
@@ -44,14 +47,15 @@ public final class ScriptedBots {
     }
 
     /**
-     * A process that a shell started in the background, or nohup, may ignore Ctrl-C, and so do the processes it starts.
+     * A process that a shell started in the background ignores Ctrl-C, one that nohup started the end of its terminal, and
+     * so do the processes that it starts.
      */
     public static void assumeInterruptible() throws IOException {
         Path status = Path.of("/proc/self/status");
         assumeTrue(Files.exists(status), "there is no /proc");
         assumeTrue(Files.readAllLines(status).stream().filter(line -> line.startsWith("SigIgn:"))
-            .noneMatch(line -> (Long.parseUnsignedLong(line.substring("SigIgn:".length()).strip(), 16) & 2) != 0),
-            "this process ignores the signal of Ctrl-C");
+            .noneMatch(line -> (Long.parseUnsignedLong(line.substring("SigIgn:".length()).strip(), 16) & HUP_AND_INT) != 0),
+            "this process ignores the signal of Ctrl-C, or that of a terminal that closes");
     }
 
     static BotProcess bot(String script) {
