@@ -1,9 +1,9 @@
 package steward.schema;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static steward.schema.PageShell.assertContains;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -18,8 +18,9 @@ import org.junit.jupiter.api.io.TempDir;
 import steward.bot.command.CommandLine;
 
 /**
- * Lines of README and manual, run by a shell as they stand there, in a folder with the bots that they name. Each is
- * found on its page by how it begins. Only time limits are longer than shown: the machine may be busy.
+ * Lines of README and manual, run by a shell as they stand there, in a folder with the bots that they name; and the
+ * examples of {@code src/examples} that need nothing else. A line is found on its page by how it begins. Only time
+ * limits are longer than shown: the machine may be busy.
  */
 @Tag("process")
 @Tag("slow")
@@ -27,65 +28,66 @@ import steward.bot.command.CommandLine;
 class DocsCommandsTest {
 
     private static final String FENCE = "```\\w*\\R(.*?)```";
+    private static final Path PILOT = Path.of("src/test/resources/codingame/pilot.py").toAbsolutePath();
+    /** End of a race by the rules: the lines name no seed, so on the map that is drawn either may win. */
+    private static final Pattern RACE_END = Pattern.compile("finished after 3 laps|is out: no checkpoint in 101 turns");
 
     @TempDir
     private Path folder;
     private PageShell shell;
 
-    /** Puts the program and the README's bot into the folder. */
     @BeforeEach
     void prepare() throws IOException {
-        PageShell.need("python3");
         shell = new PageShell(folder, """
             case "$1 $*" in
               *--time-factor*) ;;
               match*|referee*|play*) set -- "$@" --time-factor 100 ;;
             esac
             """);
-        Files.writeString(folder.resolve("bot.py"), PageShell.fenced("README.md", "```python\\R(.*?)```", 0));
     }
 
-    /** CodinGame's bot of the other tests, as a program of this name. */
-    private void textBot(String name) throws IOException {
-        Path pilot = Path.of("src/test/resources/codingame/pilot.py").toAbsolutePath();
-        shell.executable(name, "exec python3 " + CommandLine.quote(List.of(pilot.toString())) + "\n");
+    /** Plays a race of a page, with the README's bot and CodinGame's bot of the other tests as programs. */
+    private void race(String page, String begin) throws IOException, InterruptedException {
+        PageShell.need("python3");
+        Files.writeString(folder.resolve("bot.py"), PageShell.fenced("README.md", "```python\\R(.*?)```", 0));
+        for (String name : List.of("a.out", "mine")) {
+            shell.executable(name, "exec python3 " + CommandLine.quote(List.of(PILOT.toString())) + "\n");
+        }
+        String said = shell.run(0, page, begin);
+        assertTrue(RACE_END.matcher(said).find(), () -> "expected a race that ends by the rules, found:\n" + said);
+    }
+
+    private void readmesRace() throws IOException, InterruptedException {
+        race("README.md", "steward match --bot 'me=python3 bot.py' --bot builtin:racer");
     }
 
     @Test
     void theReadmesBotPlaysAndItsReplayVerifies() throws IOException, InterruptedException {
-        String said = shell.run(0, "README.md", "steward match --bot 'me=python3 bot.py' --bot builtin:racer");
-        assertEndsByTheRules(said);
-        assertContains("verified: ", shell.run(0, "README.md", "steward replay match.jsonl --verify"));
+        readmesRace();
+        shell.run(0, "README.md", "steward replay match.jsonl --verify", "verified: ");
     }
 
     @Test
     @Tag("campaign")
     void aReplayCanBeReadInEveryWay() throws IOException, InterruptedException {
-        shell.run(0, "README.md", "steward match --bot 'me=python3 bot.py' --bot builtin:racer");
-        String said = shell.run(0, "README.md", "steward replay match.jsonl --turn 57");
-        assertContains("57", said);
-        said = shell.run(0, "docs/replays.md", "steward replay match.jsonl --impacts");
-        assertContains("impulse", said);
-        said = shell.run(0, "docs/replays.md", "steward replay match.jsonl --frames --player 0");
+        readmesRace();
+        shell.run(0, "README.md", "steward replay match.jsonl --turn 57", "57");
+        shell.run(0, "docs/replays.md", "steward replay match.jsonl --impacts", "impulse");
+        String said = shell.run(0, "docs/replays.md", "steward replay match.jsonl --frames --player 0");
         assertTrue(said.startsWith("{\"type\":\"setup\","), said);
         shell.run(0, "docs/watching.md", "steward replay match.jsonl --view match.html");
         assertTrue(Files.size(folder.resolve("match.html")) > 10_000);
-        said = shell.run(1, "docs/debugging.md", "steward feed match.jsonl --player racer -- builtin:veteran");
-        assertContains("differs", said);
+        shell.run(1, "docs/debugging.md", "steward feed match.jsonl --player racer -- builtin:veteran", "differs");
     }
 
     @Test
     @Tag("campaign")
     void aBotOfTheSitePlaysAlsoAsCgBrutaltesterCallsIt() throws IOException, InterruptedException {
-        textBot("a.out");
-        String said = shell.run(0, "docs/protocol.md", "steward match --bot codingame:./a.out --bot builtin:racer");
-        assertEndsByTheRules(said);
-
-        textBot("mine");
-        Files.copy(Path.of("src/test/resources/codingame/pilot.py"), folder.resolve("other.py"));
+        race("docs/protocol.md", "steward match --bot codingame:./a.out --bot builtin:racer");
+        Files.copy(PILOT, folder.resolve("other.py"));
         shell.run(0, "docs/compatibility.md", "steward referee -p1 ./mine");
         assertTrue(Files.exists(folder.resolve("game.json")));
-        assertContains("verified: ", shell.runLine(0, "steward replay match.jsonl --verify"));
+        shell.runLine(0, "steward replay match.jsonl --verify", "verified: ");
     }
 
     @Test
@@ -99,27 +101,53 @@ class DocsCommandsTest {
     @Tag("campaign")
     void aSceneIsExplainedAndAnEnvironmentCanBeLeftBehind() throws IOException, InterruptedException {
         shell.run(0, "docs/scenes.md", "steward scene walled-race > my-scene.json");
-        assertContains("\"scene\":\"walled-race\"", shell.run(0, "docs/scenes.md", "steward explain my-scene.json"));
+        shell.run(0, "docs/scenes.md", "steward explain my-scene.json", "\"scene\":\"walled-race\"");
 
         // No interpreter here: where it is found through variables, as pyenv's may be, an empty environment hides it.
         shell.executable("mine", "test -z \"$AN_OPINION$A_PASSWORD\" || exit 3\nexit 4\n");
         String hidden = PageShell.line("docs/security.md", "env -i ");
-        assertContains("exited with status 4", shell.runLine(0, "AN_OPINION=own " + hidden));
         String open = hidden.substring(hidden.indexOf("steward match"));
-        assertContains("exited with status 3", shell.runLine(0, "AN_OPINION=own " + open));
-        assertContains("exited with status 4", shell.runLine(0, "A_PASSWORD=secret " + open));
+        shell.runLine(0, "AN_OPINION=own " + hidden, "exited with status 4");
+        shell.runLine(0, "AN_OPINION=own " + open, "exited with status 3");
+        shell.runLine(0, "A_PASSWORD=secret " + open, "exited with status 4");
     }
 
-    /** Expects a race decided by the rules: the line names no seed, so on the map that is drawn either may win. */
-    private static void assertEndsByTheRules(String said) {
-        assertTrue(Pattern.compile("finished after 3 laps|is out: no checkpoint in 101 turns").matcher(said).find(),
-            () -> "expected a race that ends by the rules, found:\n" + said);
+    private String example(String program, String name, String... expected) throws IOException, InterruptedException {
+        return shell.runLine(0, program + " " + CommandLine.quote(List.of(Path.of("src/examples", name).toAbsolutePath()
+            .toString())), expected);
+    }
+
+    /** Without air a ball that falls h = 100 u at g = 2 arrives at t = 10 and jumps to e^2 h = 64 u, at t = 18. */
+    @Test
+    void aDroppedBallJumpsToTheSquareOfItsRestitution() throws IOException, InterruptedException {
+        String java = CommandLine.quote(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-cp", System.getProperty("java.class.path")));
+        double[] gaps = example(java, "library/DroppedBall.java").strip().lines()
+            .mapToDouble(line -> Double.parseDouble(line.split(" ")[1])).toArray();
+        assertEquals(100, gaps.length);
+        assertArrayEquals(new double[] {0, 64, 0}, new double[] {gaps[9], gaps[17], gaps[99]}, 1e-9);
+    }
+
+    @Test
+    void aSceneOfOnesOwnBecomesAMovingPicture() throws IOException, InterruptedException {
+        example("sh", "shell/moving-picture.sh");
+        String picture = Files.readString(folder.resolve("corner.svg"));
+        assertTrue(picture.startsWith("<svg") && picture.split("<animate").length > 12, "12 discs move");
+    }
+
+    @Test
+    @Tag("campaign")
+    void fiveVersionsPlayALeague() throws IOException, InterruptedException {
+        PageShell.need("python3");
+        example("sh", "shell/league-of-five.sh", " thrust100 ", " thrust120 ", " thrust140 ", " thrust160 ",
+            " thrust200 ", "20 games of mad-pod-racing");
     }
 
     @Test
     void aLineThatFailsIsFound() throws IOException {
         Files.writeString(folder.resolve("match.jsonl"), "no replay\n");
         assertThrows(AssertionError.class, () -> shell.run(0, "README.md", "steward replay match.jsonl --verify"));
+        assertThrows(AssertionError.class, () -> shell.runLine(0, "steward --version", "no such words"));
         assertThrows(AssertionError.class, () -> PageShell.line("README.md", "steward nothing"));
     }
 }

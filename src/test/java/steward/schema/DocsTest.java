@@ -3,114 +3,108 @@ package steward.schema;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.IOException;
-import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.TreeSet;
-import java.util.regex.Matcher;
+import java.util.function.BiFunction;
+import java.util.function.Function;
+import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.architecture.SourceText;
 import steward.replay.ReplayHeader;
+import steward.schema.MarkdownPage.Piece;
 
 /**
  * README and manual agree with the program: every call that they show can be understood, every option, link and file
- * that they name exists. Nothing is run here; see {@link DocsCommandsTest}.
+ * that they name exists. They can be read without stopping. Nothing is run here; see {@link DocsCommandsTest}.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class DocsTest {
 
     private static final int README_LINES = 90;
     private static final int MANUAL_LINES = 2000;
-    /** A page that a command writes as a whole; and tables between these comments. */
-    static final Pattern GENERATED_PAGE = Pattern.compile("(?m)^Written by `steward ");
-    private static final Pattern GENERATED = Pattern.compile("(?s)<!-- generated.*?<!-- /generated -->\n?");
-    private static final Pattern FROM_FILE =
-        Pattern.compile("(?s)<!-- generated from (src/examples/\\S+) -->\n```\\w+\n(.*?)```\n<!-- /generated -->");
-    private static final Pattern OF_REPOSITORY = Pattern.compile("(?:src|config|docs)/[\\w./-]*\\w");
-    private static final Pattern ELSEWHERE = Pattern.compile("https?://.*|mailto:.*");
+    private static final int VERSION_LINES = 120;
+    private static final int MOST_WORDS = 35;
+    private static final Pattern WORD = Pattern.compile("\\S*[\\p{L}\\p{N}_]\\S*");
+    private static final Set<String> OPTIONS = DocumentedCall.options();
+    private static final String OF_REPOSITORY = "(?:src|config|docs)/[\\w./-]*\\w";
+    private static final Pattern FROM_FILE = Pattern.compile(
+        "(?s)<!-- generated from (src/\\S+) -->\n(?:```\\w+\n(.*?)```\n|(.*?))<!-- /generated -->");
 
-    /** Everything that is wrong with a page, with the line where it stands. */
-    private static List<String> problems(MarkdownPage page) throws IOException {
-        List<String> problems = new ArrayList<>();
-        for (MarkdownPage.Piece line : page.code()) {
-            for (List<String> call : ShellLine.calls(line.text())) {
-                add(problems, page, line, DocumentedCall.problem(call, true));
-            }
-        }
-        for (MarkdownPage.Piece span : page.spans()) {
-            for (List<String> call : ShellLine.calls(span.text())) {
-                add(problems, page, span, DocumentedCall.problem(call, false));
-            }
-            if (span.text().startsWith("--")) {
-                add(problems, page, span, DocumentedCall.optionProblem(span.text().split("[ =]")[0]));
-            }
-            boolean gone = OF_REPOSITORY.matcher(span.text()).matches() && Files.notExists(Path.of(span.text()));
-            add(problems, page, span, gone ? "no such file" : null);
-        }
-        for (MarkdownPage.Piece link : page.links()) {
-            add(problems, page, link, linkProblem(page, link.text()));
-        }
-        return problems;
+    /** The pieces of a page that a rule is about; and the fault of a piece of this page, or {@code null}. */
+    private record Rule(Function<MarkdownPage, List<Piece>> pieces, BiFunction<MarkdownPage, String, String> fault) {
     }
 
-    private static void add(List<String> problems, MarkdownPage page, MarkdownPage.Piece piece, String problem) {
-        if (problem != null) {
-            problems.add(page.path() + ":" + piece.line() + ": " + piece.text() + ": " + problem);
-        }
+    private static final List<Rule> RULES = List.of(
+        new Rule(MarkdownPage::code, (page, line) -> DocumentedCall.problem(line, true)),
+        new Rule(MarkdownPage::spans, (page, span) -> DocumentedCall.problem(span, false)),
+        new Rule(MarkdownPage::spans, (page, span) -> span.startsWith("--") && !OPTIONS.contains(span.split("[ =]")[0])
+            ? "no command has such an option" : null),
+        new Rule(MarkdownPage::spans, (page, span) -> span.matches(OF_REPOSITORY) && Files.notExists(Path.of(span))
+            ? "no such file" : null),
+        new Rule(MarkdownPage::links, DocsTest::linkProblem),
+        new Rule(MarkdownPage::sentences, (page, sentence) -> words(sentence) > MOST_WORDS
+            ? words(sentence) + " words, expected at most " + MOST_WORDS : null));
+
+    private static long words(String sentence) {
+        return WORD.matcher(sentence).results().count();
     }
 
-    private static String linkProblem(MarkdownPage page, String target) throws IOException {
-        if (ELSEWHERE.matcher(target).matches()) {
+    private static String linkProblem(MarkdownPage page, String target) {
+        if (target.matches("https?://.*|mailto:.*")) {
             return null;
         }
-        int hash = target.indexOf('#');
-        String file = hash < 0 ? target : target.substring(0, hash);
-        Path path = file.isEmpty() ? Path.of(page.path()) : Path.of(page.path()).resolveSibling(file).normalize();
-        if (!file.isEmpty() && Files.notExists(path)) {
+        String[] parts = target.split("#", 2);
+        Path path = Path.of(page.path()).resolveSibling(parts[0]).normalize();
+        if (Files.notExists(path)) {
             return "no such file";
         }
-        MarkdownPage linked = file.isEmpty() ? page : hash < 0 ? null : MarkdownPage.read(path.toString());
-        boolean found = linked == null || linked.headings().contains(target.substring(hash + 1));
-        return found ? null : "no such heading";
+        MarkdownPage linked = parts[0].isEmpty() || parts.length < 2 ? page : MarkdownPage.read(path.toString());
+        return parts.length < 2 || linked.headings().contains(parts[1]) ? null : "no such heading";
+    }
+
+    /** Everything that is wrong with a page, rule by rule, with the line where it stands. */
+    private static Stream<String> problems(MarkdownPage page) {
+        return RULES.stream().flatMap(rule -> rule.pieces().apply(page).stream().flatMap(piece ->
+            Stream.ofNullable(rule.fault().apply(page, piece.text()))
+                .map(fault -> page.path() + ":" + piece.line() + ": " + fault + ": " + piece.text())));
+    }
+
+    private static int seen(Function<MarkdownPage, Stream<?>> pieces) {
+        return (int) MarkdownPage.all().stream().flatMap(pieces).count();
     }
 
     @Test
-    void whatThePagesShowExists() throws IOException {
-        List<String> problems = new ArrayList<>();
-        for (MarkdownPage page : MarkdownPage.all()) {
-            problems.addAll(problems(page));
-        }
-        assertEquals("", String.join("\n", problems));
+    void whatThePagesShowExists() {
+        assertEquals("", MarkdownPage.all().stream().flatMap(DocsTest::problems).collect(Collectors.joining("\n")));
     }
 
     @Test
-    void callsAreSeen() throws IOException {
-        int calls = 0;
-        int links = 0;
-        for (MarkdownPage page : MarkdownPage.all()) {
-            calls += page.code().stream().mapToInt(line -> ShellLine.calls(line.text()).size()).sum();
-            links += page.links().size();
-        }
+    void callsAreSeen() {
+        int calls = seen(page -> page.code().stream().flatMap(line -> DocumentedCall.calls(line.text()).stream()));
         assertTrue(calls >= 70, "calls in code blocks: " + calls);
+        int links = seen(page -> page.links().stream());
         assertTrue(links >= 50, "links: " + links);
         assertEquals(List.of(List.of("steward", "import", "-", "--out", "-"),
             List.of("steward", "replay", "-", "--verify")),
-            ShellLine.calls("steward import - --out - < game.json | steward replay - --verify   # comment"));
+            DocumentedCall.calls("steward import - --out - < game.json | steward replay - --verify   # comment"));
         assertEquals(List.of(List.of("steward", "play", "$(cat %DIR%)")),
-            ShellLine.calls("cmd = 'steward play \"$(cat %DIR%)\"'"));
-        assertEquals(List.of(List.of("steward", "completion")), ShellLine.calls("source <(steward completion)"));
-        assertEquals(List.of(List.of("steward", "demo")), ShellLine.calls("env -i A=\"$A\" steward demo > x.txt"));
+            DocumentedCall.calls("cmd = 'steward play \"$(cat %DIR%)\"'"));
+        assertEquals(List.of(List.of("steward", "completion")), DocumentedCall.calls("source <(steward completion)"));
+        assertEquals(List.of(List.of("steward", "demo")),
+            DocumentedCall.calls("env -i A=\"$A\" steward demo > x.txt"));
     }
 
     @Test
-    void whatIsWrongIsFound() throws IOException {
+    void whatIsWrongIsFound() {
+        String words = "word ".repeat(MOST_WORDS);
         String planted = """
             # A page
 
@@ -132,87 +126,90 @@ class DocsTest {
             ```json
             steward nothing
             ```
-            """;
-        List<String> lines = new ArrayList<>();
-        for (String problem : problems(MarkdownPage.of("README.md", planted))) {
-            lines.add(problem.replaceAll("^README.md:(\\d+): .*", "$1"));
-        }
-        assertEquals(List.of("6", "7", "8", "9", "10", "12", "13", "14", "15", "16", "3", "3", "3", "4", "4", "4"),
-            lines);
+
+            # WORDS
+
+            WORDSmore.
+
+                WORDScode
+
+            - WORDS. WORDS.
+            - WORDS
+              goes on
+
+            | a | WORDSin a cell | `WORDScode` |
+
+            ```
+            WORDScode
+            ```
+            WORDS[WORDS](nowhere.md) 1.5 is no end - of a sentence
+            """.replace("WORDS", words);
+        assertEquals("6 7 8 9 10 12 13 14 15 16 3 3 3 4 4 4 37 24: 36 29: 37 32: 38 37: 77",
+            problems(new MarkdownPage("README.md", planted)).map(fault -> fault.replaceAll(
+                "README.md:(\\d+(?:: \\d+(?= words))?).*", "$1")).collect(Collectors.joining(" ")));
     }
 
     @Test
-    void theReadmeIsShortAndLeadsToEveryPage() throws IOException {
-        int lines = Files.readAllLines(Path.of("README.md")).size();
-        assertTrue(lines <= README_LINES, "the README has " + lines + " lines, expected at most " + README_LINES);
-
-        TreeSet<String> missing = new TreeSet<>();
-        MarkdownPage.all().stream().map(MarkdownPage::path).filter(path -> path.matches("docs/[^/]+"))
-            .forEach(missing::add);
-        for (String page : List.of("README.md", "docs/README.md")) {
-            String folder = page.replace("README.md", "");
-            MarkdownPage.read(page).links().forEach(link -> missing.remove(folder + link.text().replaceAll("#.*", "")));
+    void theReadmeLeadsToEveryPage() {
+        Set<String> missing = MarkdownPage.all().stream().map(MarkdownPage::path)
+            .filter(path -> path.matches("docs/[^/]+")).collect(Collectors.toCollection(TreeSet::new));
+        for (String folder : List.of("", "docs/")) {
+            MarkdownPage.read(folder + "README.md").links()
+                .forEach(link -> missing.remove(folder + link.text().replaceAll("#.*", "")));
         }
-        assertEquals(new TreeSet<>(), missing);
+        assertEquals(Set.of(), missing);
     }
 
-    private static long written(String text) {
-        return GENERATED_PAGE.matcher(text).find() ? 0 : GENERATED.matcher(text).replaceAll("").lines().count();
+    private static void assertAtMost(int lines, String page, long found) {
+        assertTrue(found <= lines, page + " has " + found + " lines, expected at most " + lines);
     }
 
     @Test
-    void theManualIsShortWithoutTheTablesThatCommandsWrite() throws IOException {
-        assertEquals(2, written("one\n<!-- generated by x -->\n| a |\n<!-- /generated -->\ntwo\n"));
-        assertEquals(0, written("# A page\n\nWritten by `steward tradeoff` on 2030-01-02.\n"));
-        long lines = 0;
-        try (DirectoryStream<Path> pages = Files.newDirectoryStream(Path.of("docs"), "*.md")) {
-            for (Path page : pages) {
-                lines += written(Files.readString(page));
-            }
+    void pagesAreShortWithoutTheTablesThatCommandsWrite() {
+        String table = "<!-- generated by x -->\n| a |\n<!-- /generated -->\n";
+        assertEquals(2, new MarkdownPage("", "one\n" + table + "two\n").written());
+        assertEquals(0, new MarkdownPage("", "# A page\n\nWritten by `steward tradeoff` on 2030-01-02.\n").written());
+        assertAtMost(README_LINES, "README.md", SourceText.of("README.md").lines().count());
+        assertAtMost(MANUAL_LINES, "docs/*.md", MarkdownPage.all().stream()
+            .filter(page -> page.path().matches("docs/[^/]+")).mapToLong(MarkdownPage::written).sum());
+        String[] versions = SourceText.of("CHANGELOG.md").split("(?m)^(?=## \\[)");
+        assertTrue(versions.length > 3, versions.length + " parts");
+        for (String version : versions) {
+            assertAtMost(VERSION_LINES, version.lines().findFirst().orElse(""), version.lines().count());
         }
-        assertTrue(lines <= MANUAL_LINES, "docs/*.md have " + lines + " lines, expected at most " + MANUAL_LINES);
     }
 
     /** The version of the build has notes, and is the one that other builds are told to depend on. */
     @Test
     void theVersionIsTheSameWhereverItStands() {
-        String version = found("^version = '([^']+)'$", "build.gradle").findFirst().orElseThrow();
-        assertEquals(version, found("^## \\[([^\\]]+)\\] - \\d{4}-\\d\\d-\\d\\d$", "CHANGELOG.md").findFirst()
-            .orElseThrow());
-        assertEquals(List.of(version), found("steward(?:-engine)?(?::|</artifactId><version>)(\\d[\\w.]*)",
-            "docs/library.md").distinct().toList());
+        String version = found("(?m)^version = '([^']+)'$", "build.gradle").get(0);
+        assertEquals(version, found("(?m)^## \\[([^\\]]+)\\] - \\d{4}-\\d\\d-\\d\\d$", "CHANGELOG.md").get(0));
+        assertEquals(Set.of(version), Set.copyOf(
+            found("steward(?:-engine)?(?::|</artifactId><version>)(\\d[\\w.]*)", "docs/library.md")));
     }
 
-    private static Stream<String> found(String pattern, String file) {
-        return Pattern.compile(pattern, Pattern.MULTILINE).matcher(SourceText.of(file)).results()
-            .map(found -> found.group(1));
-    }
-
-    @Test
-    void theFormatOfReplaysIsTheOneThatIsWritten() throws IOException {
-        String page = Files.readString(Path.of("docs/replays.md"));
-        assertTrue(page.contains("The format is number " + ReplayHeader.FORMAT + "."), "docs/replays.md");
+    private static List<String> found(String pattern, String file) {
+        return Pattern.compile(pattern).matcher(SourceText.of(file)).results().map(found -> found.group(1)).toList();
     }
 
     @Test
-    void thePageOnPythonHasTheReadmeOfThePackage() throws IOException {
-        String readme = Files.readString(Path.of("src/python/README.md"));
-        String text = "<!-- generated from src/python/README.md -->\n" + readme.substring(readme.indexOf("\n\n") + 2)
-            + "<!-- /generated -->";
-        assertTrue(Files.readString(Path.of("docs/python.md")).contains(text), "docs/python.md");
+    void theFormatOfReplaysIsTheOneThatIsWritten() {
+        assertEquals(List.of("" + ReplayHeader.FORMAT), found("The format is number (\\d+)\\.", "docs/replays.md"));
     }
 
+    /** Examples are as in their files, and the README of the package for Python is without its heading. */
     @Test
-    void examplesOfThePagesAreTheFilesThatTheyName() throws IOException {
-        TreeSet<String> files = new TreeSet<>();
+    void examplesOfThePagesAreTheFilesThatTheyName() {
+        Set<String> files = new TreeSet<>();
         for (MarkdownPage page : MarkdownPage.all()) {
-            Matcher example = FROM_FILE.matcher(Files.readString(Path.of(page.path())));
-            while (example.find()) {
-                files.add(Path.of(example.group(1)).getFileName().toString());
-                assertEquals(Files.readString(Path.of(example.group(1))), example.group(2), page.path());
+            for (MatchResult example : FROM_FILE.matcher(page.text()).results().toList()) {
+                String file = example.group(1);
+                files.add(file.replaceFirst(".*/", ""));
+                assertEquals(SourceText.of(file), example.group(2) != null ? example.group(2)
+                    : SourceText.of(file).split("(?<=\n\n)")[0] + example.group(3), page.path());
             }
         }
-        assertEquals(new TreeSet<>(List.of("DroppedBall.java", "OneMatch.java", "ReplayStates.java",
-            "Searcher.java", "heap.py")), files);
+        assertEquals(Set.of("DroppedBall.java", "OneMatch.java", "README.md", "ReplayStates.java", "Searcher.java",
+            "heap.py"), files);
     }
 }

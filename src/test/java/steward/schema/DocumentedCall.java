@@ -2,11 +2,14 @@ package steward.schema;
 
 import java.io.OutputStream;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.TreeSet;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -15,34 +18,56 @@ import steward.architecture.SourceText;
 import steward.cli.Main;
 import steward.cli.streams.Streams;
 
-/** Check of a call of the program or of Gradle that a page shows: could it be made. Nothing is executed. */
+/** Calls of the program and of Gradle in a line of shell: could each be made. Nothing is executed. */
 final class DocumentedCall {
+
+    private static final Pattern OURS = Pattern.compile("(?:^|[\\s\"'(])(?:steward|\\./gradlew)(?:\\s|[\"')]*$)");
+    private static final String WORD = "(?:'[^']*'|\"(?:\\\\.|[^\"\\\\])*+\"|\\\\.|[^\\s'\"\\\\|;&()<>])++";
+    /** A word with its quotes; what ends a command; or a redirection, which is no word of it. */
+    private static final Pattern PART =
+        Pattern.compile("((?!#)" + WORD + ")|(#.*|[|;&()])|[<>][ \\t]*(?:" + WORD + ")?");
+    private static final Pattern BEFORE_COMMAND = Pattern.compile("(?s)env|-i|[A-Za-z_]\\w*=.*");
 
     /** The program by the command that is called, set up once. */
     private static final Map<String, CommandLine> PROGRAMS = new ConcurrentHashMap<>();
     private static final String GAMES_PATH = "--games-path";
     /** Tasks that Gradle's plugins bring. */
-    private static final Set<String> PLUGIN_TASKS = Set.of("run", "test", "javadoc", "installDist", "classes",
+    private static final Set<String> PLUGIN_TASKS = Set.of("-q", "run", "test", "javadoc", "installDist", "classes",
         "labTestClasses", "checkstyleMain", "checkstyleTest", "checkstyleBots", "publishToMavenLocal");
     private static final Pattern OWN_TASK = Pattern.compile("tasks\\.create\\('(\\w+)'");
     private static final Pattern PROPERTY = Pattern.compile("findProperty\\('([\\w.]+)'\\)");
     /** The list of properties that are handed to tests. */
     private static final Pattern TEST_PROPERTIES = Pattern.compile("\\[([^\\]]*)\\]\\.each \\{\\s*if \\(project\\.has");
 
-    private static final Set<String> OPTIONS = options();
-
     private DocumentedCall() {
     }
 
+    /** The calls of {@code steward} and of {@code ./gradlew}, also in an argument; each begins with that word. */
+    static List<List<String>> calls(String line) {
+        List<List<String>> calls = new ArrayList<>();
+        String commands = !OURS.matcher(line).find() ? "" : PART.matcher(line).replaceAll(part ->
+            Matcher.quoteReplacement(part.group(1) != null ? part.group() : part.group(2) != null ? "\n" : " "));
+        for (String command : commands.split("\n")) {
+            List<String> words = steward.bot.command.CommandLine.split(command).stream()
+                .dropWhile(word -> BEFORE_COMMAND.matcher(word).matches()).toList();
+            if (!words.isEmpty() && (words.get(0).equals("steward") || words.get(0).equals("./gradlew"))) {
+                calls.add(words);
+            } else {
+                words.stream().filter(word -> word.startsWith("steward ")).forEach(word -> calls.addAll(calls(word)));
+            }
+        }
+        return calls;
+    }
+
     /**
-     * Returns the fault of a call, or {@code null}.
+     * Returns the first fault of the calls in a line, or {@code null}.
      *
-     * @param words its first one is {@code steward} or {@code ./gradlew}
      * @param whole whether nothing may be missing
      */
-    static String problem(List<String> words, boolean whole) {
-        List<String> arguments = words.subList(1, words.size());
-        return words.get(0).equals("steward") ? stewardProblem(arguments, whole) : gradleProblem(arguments);
+    static String problem(String line, boolean whole) {
+        return calls(line).stream().map(call -> call.get(0).equals("steward")
+            ? stewardProblem(call.subList(1, call.size()), whole) : gradleProblem(call.subList(1, call.size())))
+            .filter(Objects::nonNull).findFirst().orElse(null);
     }
 
     private static CommandLine program(String called) {
@@ -60,81 +85,60 @@ final class DocumentedCall {
         try {
             program(arguments.isEmpty() ? null : arguments.get(0)).parseArgs(arguments.toArray(new String[0]));
             return null;
-        } catch (CommandLine.MissingParameterException problem) {
-            return whole ? problem.getMessage() : null;
         } catch (CommandLine.ParameterException problem) {
-            return problem.getMessage();
+            boolean mayBe = problem instanceof CommandLine.MissingParameterException && !whole;
+            return mayBe ? null : problem.getMessage();
         }
     }
 
-    /** Returns the fault of an option that stands alone, or {@code null}: some command has to have it. */
-    static String optionProblem(String option) {
-        return OPTIONS.contains(option) || option.equals(GAMES_PATH) ? null : "no command has such an option";
-    }
-
-    /** Options of all commands: to set up every command takes long, and pages name hundreds of options. */
-    private static Set<String> options() {
-        return program(null).getSubcommands().values().stream()
+    /** Returns all options of all commands. */
+    static Set<String> options() {
+        return Stream.concat(Stream.of(GAMES_PATH), program(null).getSubcommands().values().stream()
             .flatMap(command -> Stream.concat(Stream.of(command), command.getSubcommands().values().stream()))
-            .flatMap(command -> command.getCommandSpec().optionsMap().keySet().stream())
-            .collect(Collectors.toUnmodifiableSet());
+            .flatMap(command -> command.getCommandSpec().optionsMap().keySet().stream())).collect(Collectors.toSet());
     }
 
     private static String gradleProblem(List<String> arguments) {
-        for (int k = 0; k < arguments.size(); k++) {
-            String argument = arguments.get(k);
-            String problem = null;
+        String problem = null;
+        for (Iterator<String> rest = arguments.iterator(); problem == null && rest.hasNext();) {
+            String argument = rest.next();
             if (argument.equals("--tests")) {
-                k++;
-                problem = filterProblem(arguments.get(k));
+                problem = classProblem("^\\Q" + rest.next().replace("*", "\\E.*\\Q") + "\\E$",
+                    "src/engineTest/java", "src/test/java", "src/labTest/java");
             } else if (argument.startsWith("-P")) {
                 problem = propertyProblem(argument.substring(2));
-            } else if (!argument.equals("-q") && !PLUGIN_TASKS.contains(argument)
-                    && inBuild(OWN_TASK).noneMatch(argument::equals)) {
+            } else if (!PLUGIN_TASKS.contains(argument) && inBuild(OWN_TASK).noneMatch(argument::equals)) {
                 problem = "no task or option " + argument;
             }
-            if (problem != null) {
-                return problem;
-            }
         }
-        return null;
+        return problem;
     }
 
-    /** What the first group of a pattern finds in the files of the build. */
+    /** Returns what the first group of a pattern finds in the files of the build. */
     private static Stream<String> inBuild(Pattern pattern) {
         return Stream.of("build.gradle", "gradle/publish.gradle", "gradle/release.gradle")
             .flatMap(file -> pattern.matcher(SourceText.of(file)).results()).map(found -> found.group(1));
     }
 
     private static String propertyProblem(String assignment) {
-        String name = assignment.replaceAll("(?s)=.*", "");
-        String value = assignment.substring(Math.min(assignment.length(), name.length() + 1));
+        String[] parts = (assignment + "=").split("=", 2);
+        String value = parts[1].replaceFirst("=$", "");
         Set<String> known = inBuild(PROPERTY).collect(Collectors.toCollection(TreeSet::new));
         inBuild(TEST_PROPERTIES).flatMap(list -> Stream.of(list.split(", *")))
             .forEach(word -> known.add("steward." + word.replace("'", "")));
-        if (!known.contains(name)) {
-            return "no property " + name + ", there are " + known;
+        if (!known.contains(parts[0])) {
+            return "no property " + parts[0] + ", there are " + known;
         }
-        return switch (name) {
+        return switch (parts[0]) {
             case "cli" -> stewardProblem(steward.bot.command.CommandLine.split(value), true);
-            case "bench" -> benchmarkProblem(value.split(" ")[0]);
+            case "bench" -> classProblem(value.split(" ")[0], "src/jmh/java");
             default -> null;
         };
     }
 
-    private static String benchmarkProblem(String pattern) {
-        Pattern wanted = Pattern.compile(pattern);
-        return classes("src/jmh/java").anyMatch(name -> wanted.matcher(name).find()) ? null : "no benchmark " + pattern;
-    }
-
-    private static String filterProblem(String filter) {
-        Pattern pattern = Pattern.compile("\\Q" + filter.replace("*", "\\E.*\\Q") + "\\E");
-        return classes("src/engineTest/java", "src/test/java", "src/labTest/java")
-            .anyMatch(name -> pattern.matcher(name).matches()) ? null : "no class of tests is called " + filter;
-    }
-
-    private static Stream<String> classes(String... folders) {
+    private static String classProblem(String pattern, String... folders) {
         return SourceText.below(folders).keySet().stream()
-            .map(file -> file.replaceAll("^src/\\w+/java/|\\.java$", "").replace('/', '.'));
+            .map(file -> file.replaceAll("^src/\\w+/java/|\\.java$", "").replace('/', '.'))
+            .anyMatch(Pattern.compile(pattern).asPredicate()) ? null : "no class is called " + pattern;
     }
 }

@@ -1,137 +1,119 @@
 package steward.schema;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import steward.architecture.SourceText;
 
 /**
- * Parts of a page of Markdown that the tests of the manual look at: code, code within sentences, links and headings.
+ * Page of Markdown, read by one pattern for each kind of its pieces.
  *
- * @param path      of the page, from the top of the repository
- * @param code      lines of code blocks, those continued by a backslash joined; blocks of JSON, Java or Python left out
- * @param spans     code within sentences
- * @param links     where links and pictures lead
- * @param headings  as fragments of a link
- * @param sentences each with the line in which its paragraph, item or cell begins
+ * @param path from the top of the repository
  */
-record MarkdownPage(String path, List<Piece> code, List<Piece> spans, List<Piece> links, List<String> headings,
-                    List<Piece> sentences) {
+record MarkdownPage(String path, String text) {
 
     private static final Set<String> OTHER_LANGUAGES = Set.of("json", "java", "python");
-    private static final Pattern FENCE = Pattern.compile("\\s*```(\\w*)\\s*");
-    private static final Pattern INDENTED = Pattern.compile(" {4}.*");
+    /** A fenced block and its language; or indented lines, after an empty line or a comment. */
+    private static final Pattern BLOCK = Pattern.compile(
+        "(?m)^[ \t]*```(\\w*)[ \t]*\n(?s:.*?)(?:^[ \t]*```\\w*[ \t]*$|\\z)|(?<=\\A|\n\n|-->\n)(?:^ {4}.*\n?)+");
+    private static final Pattern LINE = Pattern.compile("(?m)^[ \t]*+(?!```)(\\S.*(?:(?<=\\\\)\n.*)*)");
     private static final Pattern SPAN = Pattern.compile("`([^`]+)`");
     private static final Pattern LINK = Pattern.compile("\\[[^\\]]*\\]\\(([^)\\s]+)\\)");
-    private static final Pattern HEADING = Pattern.compile("#{1,6} +(.*)");
+    private static final Pattern HEADING = Pattern.compile("(?m)^#{1,6} +(.*)");
+    /** A row of a table; or a heading, an item or a paragraph, up to a line that begins another. */
+    private static final Pattern UNIT = Pattern.compile(
+        "(?m)^[ \t]*+(\\|.*|\\S.*(?:\n(?![ \t]*+(?:$|\\||(?:#+|[-*>]|\\d+\\.) .)).*)*)");
+    private static final Pattern CELL_END = Pattern.compile("(?<!\\\\)\\|");
+    private static final Pattern SENTENCE_END = Pattern.compile("(?<=[.!?])[)\"*]*\\s+");
+    /** A page that a command writes as a whole; and tables between these comments. */
+    private static final Pattern GENERATED_PAGE = Pattern.compile("(?m)^Written by `steward ");
+    private static final Pattern GENERATED = Pattern.compile("(?s)<!-- generated.*?<!-- /generated -->\n?");
 
-    /** Pages that were read before: many link to the same. */
-    private static final Map<String, MarkdownPage> READ = new HashMap<>();
-
-    /**
-     * A piece of the page.
-     *
-     * @param line the number of its first line
-     * @param text what stands there
-     */
+    /** Piece of a page, and the number of the line where it begins. */
     record Piece(int line, String text) {
+
+        private Piece with(String pattern, String replacement) {
+            return new Piece(line, text.replaceAll(pattern, replacement).strip());
+        }
     }
 
     /** README, manual, and what is written for contributors. */
-    static List<MarkdownPage> all() throws IOException {
-        List<String> paths = new ArrayList<>(List.of("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md"));
-        paths.addAll(SourceText.ofKind(".md", "docs").keySet());
-        List<MarkdownPage> pages = new ArrayList<>();
-        for (String path : paths) {
-            pages.add(read(path));
-        }
-        return pages;
+    static List<MarkdownPage> all() {
+        return Stream.concat(Stream.of("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md"),
+            SourceText.ofKind(".md", "docs").keySet().stream()).map(MarkdownPage::read).toList();
     }
 
-    static synchronized MarkdownPage read(String path) throws IOException {
-        MarkdownPage page = READ.get(path);
-        if (page == null) {
-            page = of(path, Files.readString(Path.of(path)));
-            READ.put(path, page);
-        }
-        return page;
+    static MarkdownPage read(String path) {
+        return new MarkdownPage(path, SourceText.of(path));
     }
 
-    static MarkdownPage of(String path, String text) {
-        List<Piece> code = new ArrayList<>();
-        List<String> headings = new ArrayList<>();
-        MarkdownProse sentences = new MarkdownProse();
-        StringBuilder prose = new StringBuilder();
-        String fence = null;
-        boolean mayBeCode = true;
-        String[] lines = text.split("\n", -1);
-        for (int k = 0; k < lines.length; k++) {
-            String line = lines[k];
-            Matcher mark = FENCE.matcher(line);
-            boolean isCode = fence != null || mayBeCode && INDENTED.matcher(line).matches();
-            if (mark.matches()) {
-                fence = fence == null ? mark.group(1) : null;
-            } else if (isCode && !OTHER_LANGUAGES.contains(fence == null ? "" : fence)) {
-                addCode(code, k + 1, line.strip());
-            } else if (!isCode) {
-                prose.append(line);
-            }
-            prose.append('\n');
-            boolean isComment = line.startsWith("<!--");
-            sentences.add(k + 1, isCode || isComment || mark.matches() ? "" : line.strip());
-            mayBeCode = isCode || isComment || line.isBlank();
-            Matcher heading = HEADING.matcher(line);
-            if (!isCode && heading.matches()) {
-                headings.add(fragment(heading.group(1)));
-            }
-        }
-        String withoutSpans = SPAN.matcher(prose).replaceAll(span -> span.group().replaceAll("[^\n]", "_"));
-        return new MarkdownPage(path, List.copyOf(code), pieces(SPAN, prose.toString()), pieces(LINK, withoutSpans),
-            distinct(headings), sentences.sentences());
+    private static int line(String text, int at) {
+        return 1 + (int) text.substring(0, at).chars().filter(c -> c == '\n').count();
     }
 
-    private static void addCode(List<Piece> code, int number, String line) {
-        Piece last = code.isEmpty() ? null : code.get(code.size() - 1);
-        if (last != null && last.text().endsWith("\\")) {
-            String begun = last.text().substring(0, last.text().length() - 1);
-            code.set(code.size() - 1, new Piece(last.line(), begun + line));
-        } else {
-            code.add(new Piece(number, line));
-        }
+    private static Stream<Piece> pieces(Pattern pattern, String text, int first) {
+        return pattern.matcher(text).results()
+            .map(found -> new Piece(first - 1 + line(text, found.start(1)), found.group(1)));
     }
 
-    private static List<Piece> pieces(Pattern pattern, String prose) {
-        List<Piece> pieces = new ArrayList<>();
-        Matcher found = pattern.matcher(prose);
-        while (found.find()) {
-            int line = 1 + (int) prose.substring(0, found.start()).chars().filter(c -> c == '\n').count();
-            pieces.add(new Piece(line, found.group(1).replaceAll("\\s+", " ")));
-        }
-        return pieces;
+    /** Lines of code blocks, those continued by a backslash joined; blocks of JSON, Java or Python are left out. */
+    List<Piece> code() {
+        return BLOCK.matcher(text).results().filter(block -> !OTHER_LANGUAGES.contains("" + block.group(1)))
+            .flatMap(block -> pieces(LINE, block.group(), line(text, block.start())))
+            .map(line -> line.with("\\\\\n\\s*", "")).toList();
     }
 
-    /** As GitHub makes it: lower case, no punctuation, hyphens for blanks. */
-    private static String fragment(String heading) {
-        return LINK.matcher(heading).replaceAll(link -> link.group().replaceAll("\\[|\\].*", ""))
-            .toLowerCase(Locale.ROOT).strip().replaceAll("[^\\p{L}\\p{N} _-]", "").replace(' ', '-');
+    private String prose() {
+        return BLOCK.matcher(text).replaceAll(block -> block.group().replaceAll(".", ""));
     }
 
-    /** Headings that stand on a page twice get numbers. */
-    private static List<String> distinct(List<String> headings) {
+    /** Code within sentences. */
+    List<Piece> spans() {
+        return pieces(SPAN, prose(), 1).map(span -> span.with("\\s+", " ")).toList();
+    }
+
+    /** Places where links and pictures lead. */
+    List<Piece> links() {
+        return pieces(LINK, SPAN.matcher(prose()).replaceAll(span -> span.group().replaceAll(".", "_")), 1).toList();
+    }
+
+    /** Headings as fragments of a link, as GitHub makes them; those that stand on a page twice get numbers. */
+    List<String> headings() {
         Map<String, Integer> seen = new HashMap<>();
         List<String> fragments = new ArrayList<>();
-        for (String heading : headings) {
-            int before = seen.merge(heading, 1, Integer::sum) - 1;
-            fragments.add(before == 0 ? heading : heading + "-" + before);
-        }
-        return List.copyOf(fragments);
+        pieces(HEADING, prose(), 1).forEach(heading -> {
+            String fragment = heading.text().replaceAll("\\[([^\\]]*)\\]\\([^)\\s]+\\)", "$1").toLowerCase(Locale.ROOT)
+                .strip().replaceAll("[^\\p{L}\\p{N} _-]", "").replace(' ', '-');
+            int before = seen.merge(fragment, 1, Integer::sum) - 1;
+            fragments.add(before == 0 ? fragment : fragment + "-" + before);
+        });
+        return fragments;
+    }
+
+    /**
+     * Sentences of headings, paragraphs, items and cells, with the line where that begins. Code is one word, a link the
+     * words shown. Lines of figures are left out, on pages that a command writes as a whole.
+     */
+    List<Piece> sentences() {
+        String figures = isGenerated() ? "(?m)^(?:<!--|[|>]).*$" : "(?m)^<!--.*$";
+        return pieces(UNIT, prose().replaceAll(figures, ""), 1).flatMap(unit ->
+            (unit.text().startsWith("|") ? CELL_END.splitAsStream(unit.text()) : Stream.of(unit.text()))
+                .map(cell -> cell.replaceAll("`[^`]*`", "code").replaceAll("!?\\[([^\\]]*)\\]\\([^)]*\\)", "$1")
+                    .replaceAll("<[^>]*>|\\s+", " ").strip())
+                .flatMap(SENTENCE_END::splitAsStream).map(sentence -> new Piece(unit.line(), sentence))).toList();
+    }
+
+    private boolean isGenerated() {
+        return GENERATED_PAGE.matcher(text).find();
+    }
+
+    /** Returns the number of lines that people write. */
+    long written() {
+        return isGenerated() ? 0 : GENERATED.matcher(text).replaceAll("").lines().count();
     }
 }

@@ -71,27 +71,28 @@ final class PageShell {
     }
 
     /** Lines in code blocks of the page that begin so. */
-    static List<String> lines(String page, String begin) throws IOException {
+    static List<String> lines(String page, String begin) {
         return MarkdownPage.read(page).code().stream().map(MarkdownPage.Piece::text)
             .filter(text -> text.startsWith(begin)).toList();
     }
 
     /** The only line in a code block of the page that begins so. */
-    static String line(String page, String begin) throws IOException {
+    static String line(String page, String begin) {
         List<String> lines = lines(page, begin);
         assertEquals(1, lines.size(), page + ": lines that begin with " + begin);
         return lines.get(0);
     }
 
-    /** Runs a line of a page, which has to end with this status; what it wrote to either stream. */
-    String run(int status, String page, String begin) throws IOException, InterruptedException {
-        return runLine(status, line(page, begin));
+    /** Runs a line of a page, which has to end with this status and say this; what it wrote to either stream. */
+    String run(int status, String page, String begin, String... expected) throws IOException, InterruptedException {
+        return runLine(status, line(page, begin), expected);
     }
 
-    String runLine(int status, String line) throws IOException, InterruptedException {
+    String runLine(int status, String line, String... expected) throws IOException, InterruptedException {
         Process process = start(line);
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertEquals(status, process.waitFor(), () -> line + "\n" + said);
+        List.of(expected).forEach(words -> assertContains(words, said));
         return said;
     }
 
