@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.BiFunction;
@@ -195,6 +197,18 @@ class DocsTest {
     @Test
     void theFormatOfReplaysIsTheOneThatIsWritten() {
         assertEquals(List.of("" + ReplayHeader.FORMAT), found("The format is number (\\d+)\\.", "docs/replays.md"));
+    }
+
+    @Test
+    void theReadmesRatiosOfSpeedAreThoseOfTheTable() {
+        String readme = SourceText.of("README.md").replaceAll("\\s+", " ");
+        Map.of("race, simulator", "%.1f times as fast as a textbook port",
+            "answer", "JSON answers are read %.1f times as fast as into a tree").forEach((row, sentence) -> {
+                String ratio = found("(?m)^\\| " + row + " \\|(?: [^|]+\\|){3} ([0-9.]+) \\|", "docs/performance.md")
+                    .get(0);
+                String expected = String.format(Locale.ROOT, sentence, Double.parseDouble(ratio));
+                assertTrue(readme.contains(expected), () -> "README.md: expected \"" + expected + "\"");
+            });
     }
 
     /** Examples are as in their files, and the README of the package for Python is without its heading. */

@@ -103,7 +103,7 @@ final class DocumentedCall {
         for (Iterator<String> rest = arguments.iterator(); problem == null && rest.hasNext();) {
             String argument = rest.next();
             if (argument.equals("--tests")) {
-                problem = classProblem("^\\Q" + rest.next().replace("*", "\\E.*\\Q") + "\\E$",
+                problem = classProblem("^" + rest.next().replace(".", "\\.").replace("*", ".*") + "$",
                     "src/engineTest/java", "src/test/java", "src/labTest/java");
             } else if (argument.startsWith("-P")) {
                 problem = propertyProblem(argument.substring(2));
