@@ -15,6 +15,8 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.command.CommandLine;
 
 /**
@@ -25,12 +27,16 @@ import steward.bot.command.CommandLine;
 @Tag("process")
 @Tag("slow")
 @Timeout(300)
+@Execution(ExecutionMode.CONCURRENT)
 class DocsCommandsTest {
 
     private static final String FENCE = "```\\w*\\R(.*?)```";
     private static final Path PILOT = Path.of("src/test/resources/codingame/pilot.py").toAbsolutePath();
     /** End of a race by the rules: the lines name no seed, so on the map that is drawn either may win. */
     private static final Pattern RACE_END = Pattern.compile("finished after 3 laps|is out: no checkpoint in 101 turns");
+
+    private static final String SCENES = "docs/scenes.md";
+    private static final String AT_REST = " turns, all bodies are slower than the scene's restBelow";
 
     @TempDir
     private Path folder;
@@ -100,8 +106,8 @@ class DocsCommandsTest {
     @Test
     @Tag("campaign")
     void aSceneIsExplainedAndAnEnvironmentCanBeLeftBehind() throws IOException, InterruptedException {
-        shell.run(0, "docs/scenes.md", "steward scene walled-race > my-scene.json");
-        shell.run(0, "docs/scenes.md", "steward explain my-scene.json", "\"scene\":\"walled-race\"");
+        shell.run(0, SCENES, "steward scene walled-race > my-scene.json");
+        shell.run(0, SCENES, "steward explain my-scene.json", "\"scene\":\"walled-race\"");
 
         // No interpreter here: where it is found through variables, as pyenv's may be, an empty environment hides it.
         shell.executable("mine", "test -z \"$AN_OPINION$A_PASSWORD\" || exit 3\nexit 4\n");
@@ -141,6 +147,50 @@ class DocsCommandsTest {
         PageShell.need("python3");
         example("sh", "shell/league-of-five.sh", " thrust100 ", " thrust120 ", " thrust140 ", " thrust160 ",
             " thrust200 ", "20 games of mad-pod-racing");
+    }
+
+    /** Puts a scene of the page of scenes into the folder. */
+    private void scene(String name) throws IOException {
+        Files.writeString(folder.resolve(name + ".json"),
+            PageShell.fenced(SCENES, "```json\\R(\\{ \"name\": \"" + name + "\".*?)```", 0));
+    }
+
+    private static void assertSays(String words) throws IOException {
+        assertTrue(Files.readString(Path.of(SCENES)).replaceAll("\\s+", " ").contains(words), words);
+    }
+
+    /** From the middle of its first parabola, at a speed of 1, it falls n (n + 1) u in n turns: 690 u in turn 26. */
+    @Test
+    void aBallIsDroppedAndPlotted() throws IOException, InterruptedException {
+        PageShell.need("python3");
+        Files.copy(Path.of("docs/scenes/plot.py"), folder.resolve("plot.py"));
+        scene("drop");
+        shell.run(0, SCENES, "steward run drop.json", AT_REST);
+        shell.run(0, SCENES, "steward replay drop.jsonl", "verified: ");
+        assertTrue(Files.size(folder.resolve("drop.html")) > 10_000);
+        assertEquals("26", Files.readAllLines(folder.resolve("drop/impacts.csv")).get(1).split(",")[0]);
+        shell.run(0, SCENES, "python3 plot.py drop/states.csv y");
+        String plot = Files.readString(folder.resolve("drop.svg"));
+        assertTrue(plot.contains("y [u]: 100 to 7"), plot);
+        assertEquals(Files.readAllLines(folder.resolve("drop/states.csv")).size() - 1,
+            plot.split("points=\"")[1].split("\"")[0].split(" ").length);
+    }
+
+    @Test
+    void aBreakHasPockets() throws IOException, InterruptedException {
+        for (String file : List.of("break.json", "balls.csv")) {
+            Files.copy(Path.of("docs/scenes", file), folder.resolve(file));
+        }
+        shell.runLine(0, "steward run break.json --out break.jsonl", AT_REST);
+        assertSays("`steward run break.json` pots three");
+        assertEquals(3, Files.readString(folder.resolve("break.jsonl")).split("\"kind\":\"death\"", -1).length - 1);
+    }
+
+    @Test
+    void theDiscsOfABowlComeToRest() throws IOException, InterruptedException {
+        scene("my-bowl");
+        shell.runLine(0, "steward run my-bowl.json --seed 7", AT_REST);
+        assertSays("It comes to rest, as `steward run my-bowl.json --seed 7` does");
     }
 
     @Test
