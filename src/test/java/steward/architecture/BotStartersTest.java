@@ -3,18 +3,19 @@ package steward.architecture;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.tngtech.archunit.core.domain.JavaAccess;
 import com.tngtech.archunit.core.domain.JavaClass;
-import java.io.OutputStream;
+import java.util.Comparator;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import picocli.CommandLine;
+import picocli.CommandLine.Model.CommandSpec;
 import steward.cli.Main;
 import steward.cli.streams.Streams;
 import steward.contest.Contest;
@@ -23,71 +24,54 @@ import steward.contest.ProgramWatch;
 /** Everything that starts bots is known, and what plays more than one game watches their programs. */
 class BotStartersTest {
 
-    /** Number of games that a caller of {@link Contest#play} plays. */
-    private enum Games {
-        /** One, or attempts at one. */
-        ONE,
-        /** Many, watched by a {@link ProgramWatch}. */
-        WATCHED,
-        /** Many; whoever calls it watches. */
-        BY_ITS_CALLERS,
-        /** Of programs that nobody changes: unpacked from a bundle, or the workshop's own. */
-        OWN
+    /**
+     * Callers of {@link Contest#play}, and how many games they play: one, or attempts at one; many, watched by a
+     * {@link ProgramWatch}; many, watched by whoever calls them; many of programs that nobody changes, since they are
+     * unpacked from a bundle or the workshop's own.
+     */
+    private static final Map<String, String> PLAYERS = new TreeMap<>(Map.of(
+        "steward.cli.check.BotCheck", "one",
+        "steward.cli.play.RunCommand", "one",
+        "steward.contest.CountedGame", "one",
+        "steward.contest.PairedPlay", "watched",
+        "steward.contest.SeriesPlay", "watched",
+        "steward.league.play.KeptGames", "by its callers",
+        "steward.machines.worker.BotTrial", "own",
+        "steward.machines.worker.JobPlay", "own"));
+
+    private static Stream<House.Touch> touching(String... names) {
+        return House.TOUCHES.stream().filter(touch -> List.of(names).contains(touch.name()));
     }
 
-    private static final Map<String, Games> PLAYERS = new TreeMap<>(Map.ofEntries(
-        Map.entry("steward.cli.check.BotCheck", Games.ONE),
-        Map.entry("steward.cli.play.RunCommand", Games.ONE),
-        Map.entry("steward.contest.CountedGame", Games.ONE),
-        Map.entry("steward.contest.PairedPlay", Games.WATCHED),
-        Map.entry("steward.contest.SeriesPlay", Games.WATCHED),
-        Map.entry("steward.league.play.KeptGames", Games.BY_ITS_CALLERS),
-        Map.entry("steward.machines.worker.BotTrial", Games.OWN),
-        Map.entry("steward.machines.worker.JobPlay", Games.OWN)));
-
-    private static Set<String> callersOf(Class<?> type, String method) {
-        return HouseClasses.all().stream().filter(each -> !each.getPackageName().startsWith("steward.lab"))
-            .filter(each -> each.getAccessesFromSelf().stream().anyMatch(access -> isOf(access, type, method))
-                || each.getMethodReferencesFromSelf().stream().anyMatch(access -> isOf(access, type, method)))
-            .map(each -> outermost(each).getName()).collect(Collectors.toCollection(TreeSet::new));
-    }
-
-    private static boolean isOf(JavaAccess<?> access, Class<?> type, String method) {
-        return access.getTargetOwner().isEquivalentTo(type) && access.getName().equals(method);
-    }
-
-    private static JavaClass outermost(JavaClass type) {
-        return type.getEnclosingClass().map(BotStartersTest::outermost).orElse(type);
-    }
-
-    private static boolean watches(String name) {
-        return HouseClasses.all().get(name).getDirectDependenciesFromSelf().stream().anyMatch(each ->
-            each.getTargetClass().isEquivalentTo(ProgramWatch.class)
-                || each.getTargetClass().getName().equals("steward.league.play.RosterWatch"));
+    private static Set<String> callersOf(String member) {
+        return touching(member).map(touch -> House.outermost(touch.origin()))
+            .filter(type -> !type.getPackageName().startsWith("steward.lab")).map(JavaClass::getName)
+            .collect(Collectors.toCollection(TreeSet::new));
     }
 
     @Test
     void everythingThatPlaysIsKnown() {
-        assertEquals(PLAYERS.keySet(), callersOf(Contest.class, "play"));
+        assertEquals(PLAYERS.keySet(), callersOf("steward.contest.Contest#play"));
     }
 
     @Test
     void whatPlaysManyGamesWatchesThePrograms() {
-        PLAYERS.forEach((player, games) -> assertEquals(games == Games.WATCHED, watches(player), player));
-        Set<String> leagues = callersOf(HouseClasses.all().get("steward.league.play.GamePlay").reflect(), "play");
-        assertEquals(Set.of("steward.league.play.LeagueRun"), leagues);
-        leagues.forEach(each -> assertTrue(watches(each), each));
+        Set<String> watching = touching(ProgramWatch.class.getName(), "steward.league.play.RosterWatch")
+            .map(touch -> touch.origin().getName()).collect(Collectors.toSet());
+        PLAYERS.forEach((player, games) ->
+            assertEquals(games.equals("watched"), watching.contains(player), player));
+        assertEquals(Set.of("steward.league.play.LeagueRun"), callersOf("steward.league.play.GamePlay#play"));
+        assertTrue(watching.contains("steward.league.play.LeagueRun"));
     }
 
-    /** Sorts commands that take bots by whether they have an option, too. */
-    private static void addWithBots(CommandLine command, String option, Set<String> with, Set<String> without) {
-        boolean bots = command.getCommandSpec().options().stream().anyMatch(each -> each.longestName()
-            .equals("--bot")) || command.getCommandSpec().positionalParameters().stream().anyMatch(parameter ->
-                parameter.paramLabel().equals("BOT") || parameter.paramLabel().equals("COMMAND"));
-        if (bots) {
-            (command.getCommandSpec().findOption(option) == null ? without : with).add(command.getCommandName());
-        }
-        command.getSubcommands().values().forEach(each -> addWithBots(each, option, with, without));
+    private static Stream<CommandSpec> commands(CommandSpec command) {
+        return Stream.concat(Stream.of(command), command.subcommands().values().stream()
+            .flatMap(each -> commands(each.getCommandSpec())));
+    }
+
+    private static boolean takesBots(CommandSpec command) {
+        return command.findOption("--bot") != null || command.positionalParameters().stream()
+            .anyMatch(parameter -> Set.of("BOT", "COMMAND").contains(parameter.paramLabel()));
     }
 
     /**
@@ -99,14 +83,13 @@ class BotStartersTest {
     @CsvSource({"--in, add check feed match seeds sprt tune, games help play prune",
         "--time-limit, add check match play seeds sprt tune, feed games help prune"})
     void everyCommandThatTakesABotTakesWhatBelongsToOne(String option, String having, String lacking) {
-        Set<String> with = new TreeSet<>();
-        Set<String> without = new TreeSet<>();
-        CommandLine program = Main.program(new Streams(OutputStream.nullOutputStream(),
-            OutputStream.nullOutputStream(), false, false), null);
-        addWithBots(program, option, with, without);
-        assertEquals(having, String.join(" ", with));
-        assertEquals(lacking, String.join(" ", without));
-        program.getSubcommands().forEach((name, command) -> assertEquals(
+        CommandSpec program = Main.program(Streams.standard(), null).getCommandSpec();
+        Map<Boolean, String> names = commands(program).filter(BotStartersTest::takesBots)
+            .sorted(Comparator.comparing(CommandSpec::name))
+            .collect(Collectors.partitioningBy(command -> command.findOption(option) != null,
+                Collectors.mapping(CommandSpec::name, Collectors.joining(" "))));
+        assertEquals(Map.of(true, having, false, lacking), names);
+        program.subcommands().forEach((name, command) -> assertEquals(
             command.getCommandSpec().findOption("--time-factor") != null,
             command.getCommandSpec().findOption("--time-limit") != null, name));
     }

@@ -23,9 +23,9 @@ public final class SourceText {
         }
     }
 
-    /** Java files of the three parts. */
-    static SortedMap<String, String> main() {
-        return below("src/engine/java", "src/main/java", "src/lab/java");
+    /** The text of a page below a heading of the second level, up to the next. */
+    static String section(String page, String heading) {
+        return of(page).split("(?m)^## " + heading + "\n", 2)[1].split("(?m)^## ", 2)[0];
     }
 
     /** Java files below some folders. */
@@ -38,11 +38,8 @@ public final class SourceText {
         SortedMap<String, String> texts = new TreeMap<>();
         for (String folder : folders) {
             try (Stream<Path> files = Files.walk(Path.of(folder))) {
-                for (Path file : files.filter(Files::isRegularFile).toList()) {
-                    if (file.toString().endsWith(end)) {
-                        texts.put(file.toString().replace('\\', '/'), of(file.toString()));
-                    }
-                }
+                files.filter(Files::isRegularFile).map(file -> file.toString().replace('\\', '/'))
+                    .filter(file -> file.endsWith(end)).forEach(file -> texts.put(file, of(file)));
             } catch (IOException problem) {
                 throw new UncheckedIOException(problem);
             }

@@ -1,47 +1,117 @@
 package steward.architecture;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.BinaryOperator;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** Rules that show in the text of sources alone: class docs, options in messages, comparisons, names of games. */
 @Execution(ExecutionMode.CONCURRENT)
 class SourceTextTest {
 
-    private static Map<String, String> problems(Map<String, String> sources, Check check) {
-        Map<String, String> problems = new TreeMap<>();
-        sources.forEach((file, text) -> {
-            String problem = check.problem(file, text);
-            if (problem != null) {
-                problems.put(file, problem);
-            }
-        });
-        return problems;
-    }
-
-    private interface Check {
-        /** Returns what is wrong with a file, or {@code null}. */
-        String problem(String file, String text);
-    }
-
-    // ---- class docs: each type has one, and its first sentence can be understood at once ---------
+    private static final SortedMap<String, String> FILES = SourceText.ofKind("", "src/engine", "src/main", "src/lab");
 
     private static final int MOST_WORDS = 25;
+    private static final String LONGEST = "word" + " word".repeat(MOST_WORDS - 1);
+
+    /** Which files keep it, those that need not, what is wrong with a text, and planted texts with their faults. */
+    enum Rule {
+        /** Each type has a class doc, and its first sentence can be understood at once. */
+        CLASS_DOCS("src/\\w+/java/.*\\.java", Set.of(), SourceTextTest::docProblem, new String[][] {
+            {"Bare.java", "/** Of the package. */\npackage x;\n\nclass Bare {\n    /** It. */\n    int n;\n}\n",
+                "no class doc"},
+            {"Rule.java", "package x;\n\n/** It imports. */\nimport y.Z;\n\n/** Rule of \"class\" games. */\n"
+                + "class Rule {\n    /** It. */\n    int n;\n}\n", ""},
+            {"x/package-info.java", "/** It counts games. It is\n * quick. */\npackage steward.x;\n",
+                "leans on another sentence: It counts games."},
+            {"R.java", "/**\n * " + LONGEST + ".\n *\n * @param n a\n */\nrecord R(int n) { }\n", ""},
+            {"I.java", "/** " + LONGEST + "\n * more. */\ninterface I { }\n", "26 words: " + LONGEST + " more."},
+            {"D.java", "/** It (by D. Knuth). Second. */\nclass D { }", "leans on another sentence: It (by D. Knuth)."},
+            {"C.java", "/** It, by Ctrl-C. Second. */\nclass C { }", "leans on another sentence: It, by Ctrl-C."}}),
+        /** Each room says what it is for. */
+        ROOMS("src/\\w+/java/.*\\.java", Set.of(), (file, text) ->
+            Files.exists(Path.of(file).resolveSibling("package-info.java")) ? "" : "no package-info",
+            new String[][] {{"src/test/java/steward/architecture/House.java", "", "no package-info"}}),
+        /**
+         * Libraries do not speak of options, but name the parameter, see {@link steward.files.Remedied}: who calls them
+         * from Java has none. Excepted are, in this order: options of other programs that are started; a
+         * sandbox that league.json has as the words of a call; advice to people who play games, beside what happened,
+         * in no exception; the whole call of the workshop that makes a file; calls on the other side of a connection.
+         */
+        OPTIONS("src/(engine|main)/java/steward/(?!cli/).*", Set.of(
+            "bot/isolation/StrictSandbox", "bot/isolation/ShellLauncher", "bot/command/Program", "guest/GuestProgram",
+            "live/PagePicture", "league/LeagueText", "league/LeagueReader", "league/LeagueSettings",
+            "contest/FailureHints", "contest/FailureStreaks", "league/play/Roster", "bot/command/ProgramFinder",
+            "scene/AccuracyFigures", "machines/worker/Worker", "machines/serve/WorkerState", "machines/check/GameJar"),
+            SourceTextTest::options, new String[][] {
+                {"Two.java", "throw new InputException(file + \": kept; --overwrite would\");\nString s = \"--out\";"
+                    + " int k = 3; k--; // --none\n", "--overwrite --out"},
+                {"None.java", "for (int k = 3; k --> 0;) { a(\"a - b\"); }", ""}}),
+        /** A new arithmetic must not pass for another one in silence: the physics has exhaustive switches. */
+        COMPARISONS("src/engine/java/steward/physics/.*", Set.of(), (file, text) ->
+            Pattern.compile("[!=]= *Arithmetic\\.").matcher(text).find() ? "compares" : "",
+            new String[][] {{"X.java", "boolean exact = of !=Arithmetic.DOUBLE;", "compares"}}),
+        /** No file names a game other than the first, but for its own room and resources, and lists of all games. */
+        GAMES("src/.*", Set.of("src/engine/resources/META-INF/services/steward.game.GameType", "scene/SceneFiles",
+            "src/main/resources/steward/view/page.js"), SourceTextTest::namedGames, new String[][] {
+                {"src/main/java/steward/game/Game.java", "search-race, mean-max or SearchRace, a pod race of bodies",
+                    "meanmax searchrace"},
+                {"src/main/java/steward/game/meanmax/MeanMax.java", "MeanMax", ""},
+                {"src/main/java/steward/game/Games.java", "steward.game.bodies", "bodies"},
+                {"src/engine/resources/mean-max.json", "mean-max", ""}});
+
+        private final Pattern files;
+        private final Set<String> mayBreak;
+        private final BinaryOperator<String> problem;
+        private final String[][] planted;
+
+        Rule(String files, Set<String> mayBreak, BinaryOperator<String> problem, String[][] planted) {
+            this.files = Pattern.compile(files);
+            this.mayBreak = mayBreak;
+            this.problem = problem;
+            this.planted = planted;
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void theSourcesKeepTheRule(Rule rule) {
+        Map<String, String> problems = new TreeMap<>();
+        FILES.forEach((file, text) -> {
+            String problem = rule.files.matcher(file).matches() ? rule.problem.apply(file, text) : "";
+            if (!problem.isEmpty()) {
+                problems.put(file.replaceAll(".*/java/steward/|\\.java", ""), problem);
+            }
+        });
+        assertEquals(new TreeSet<>(rule.mayBreak), problems.keySet(), problems::toString);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void theRuleFindsWhatIsPlanted(Rule rule) {
+        for (String[] each : rule.planted) {
+            assertEquals(each[2], rule.problem.apply(each[0], each[1]), each[0]);
+        }
+        long files = FILES.keySet().stream().filter(rule.files.asMatchPredicate()).count();
+        assertTrue(files > (rule == Rule.COMPARISONS ? 50 : 700), files + " files are seen");
+    }
+
     /** A comment, a text, or the beginning of the type or package that a file is named after. */
     private static final Pattern TOKEN = Pattern.compile("(?s)/\\*\\*(.*?)\\*/|/\\*.*?\\*/|//[^\n]*"
         + "|\"(?:\\\\.|[^\"\\\\])*\"|\\b(?:class|interface|enum|record)\\s+\\w+|(?m)^package\\s");
@@ -81,117 +151,33 @@ class SourceTextTest {
         String sentence = firstSentence(doc(source, file.endsWith("package-info.java")));
         int words = sentence.split(" ").length;
         return sentence.isEmpty() ? "no class doc" : words > MOST_WORDS ? words + " words: " + sentence
-            : LEANING.matcher(sentence).matches() ? "leans on another sentence: " + sentence : null;
+            : LEANING.matcher(sentence).matches() ? "leans on another sentence: " + sentence : "";
     }
-
-    @Test
-    void firstSentencesOfClassDocsAreShortAndStandAlone() {
-        assertEquals(Map.of(), problems(SourceText.main(), SourceTextTest::docProblem));
-        assertTrue(SourceText.main().size() > 1000, "files are seen");
-
-        String head = "package steward.x;\n\n/** Not of a type. */\nimport java.util.List;\n\n";
-        assertEquals("no class doc", docProblem("Bare.java", "package steward.x;\n\nfinal class Bare { }\n"));
-        String tail = "\n/** Rule of \"class\" games. */\nfinal class Rule {\n    /** It counts. */\n    int n;\n}\n";
-        assertNull(docProblem("Rule.java", head + tail));
-        assertEquals("leans on another sentence: It counts games.",
-            docProblem("x/package-info.java", "/** It counts games. It is\n * quick. */\npackage steward.x;\n"));
-        String longest = " word".repeat(MOST_WORDS).strip();
-        assertNull(docProblem("R.java", "/**\n * " + longest + ".\n *\n * @param n a\n */\nrecord R(int n) { }\n"));
-        assertEquals(MOST_WORDS + 1 + " words: " + longest + " more.",
-            docProblem("I.java", "/** " + longest + "\n * more. */\ninterface I { }\n"));
-        assertEquals("Table (by D. Knuth).", firstSentence("Table (by D. Knuth). Second."));
-        assertEquals("Ends by Ctrl-C.", firstSentence("Ends by Ctrl-C. Second."));
-    }
-
-    // ---- libraries do not speak of options: who calls them from Java has none --------------------
 
     private static final Pattern LITERAL = Pattern.compile("\"(?:[^\"\\\\\n]|\\\\.)*\"");
     private static final Pattern OPTION = Pattern.compile("(?<!-)--[a-z][a-z-]*");
 
-    private static final String OF_OTHERS = "options of other programs that are started";
-    private static final String STORED = "league.json has the sandbox as the words of a call";
-    private static final String ADVICE = "advice to people who play games, beside what happened, in no exception";
-    private static final String OTHER_SIDE = "about a call on the other side of a connection";
+    private static final Pattern BODIES = Pattern.compile("steward[./]game[./]bodies|Bodies(Game|Type)|/bodies\\.js");
 
-    /** Sources that may, with the reason. Others name the parameter, see {@link steward.files.Remedied}. */
-    private static final Map<String, String> MAY_NAME_OPTIONS = Map.ofEntries(
-        Map.entry("bot/isolation/StrictSandbox", OF_OTHERS), Map.entry("bot/isolation/ShellLauncher", OF_OTHERS),
-        Map.entry("bot/command/Program", OF_OTHERS), Map.entry("guest/GuestProgram", OF_OTHERS),
-        Map.entry("live/PagePicture", OF_OTHERS), Map.entry("league/LeagueText", STORED),
-        Map.entry("league/LeagueReader", STORED), Map.entry("league/LeagueSettings", STORED),
-        Map.entry("contest/FailureHints", ADVICE), Map.entry("contest/FailureStreaks", ADVICE),
-        Map.entry("league/play/Roster", ADVICE), Map.entry("bot/command/ProgramFinder", ADVICE),
-        Map.entry("scene/AccuracyFigures", "the whole call of the workshop that makes the file"),
-        Map.entry("machines/worker/Worker", OTHER_SIDE), Map.entry("machines/serve/WorkerState", OTHER_SIDE),
-        Map.entry("machines/check/GameJar", OTHER_SIDE));
-
-    private static List<String> options(String source) {
+    private static String options(String file, String source) {
         return LITERAL.matcher(source).results().flatMap(literal -> OPTION.matcher(literal.group()).results())
-            .map(MatchResult::group).toList();
+            .map(MatchResult::group).collect(Collectors.joining(" "));
     }
 
-    @Test
-    void librariesDoNotSpeakOfOptions() {
-        SortedMap<String, String> sources = SourceText.below("src/engine/java", "src/main/java");
-        sources.keySet().removeIf(file -> file.contains("/steward/cli/"));
-        Set<String> speaking = problems(sources, (file, text) -> options(text).isEmpty() ? null : "speaks").keySet()
-            .stream().map(file -> file.replaceAll(".*/java/steward/|\\.java", "")).collect(Collectors.toSet());
-        assertEquals(new TreeSet<>(MAY_NAME_OPTIONS.keySet()), new TreeSet<>(speaking));
-
-        assertEquals(List.of("--overwrite", "--out"), options("throw new InputException(file + \": kept; --overwrite "
-            + "would\");\nString s = \"--out\"; int k = 3; k--; // --none\n"));
-        assertEquals(List.of(), options("for (int k = 3; k --> 0;) { a(\"a - b\"); }"));
+    private static String namedGames(String file, String text) {
+        return House.ROOMS.stream().filter(room -> room.matches("game\\.(?!podrace$)\\w+"))
+            .map(room -> room.substring("game.".length()))
+            .filter(game -> names(text, game) && !file.contains("/java/steward/game/" + game + "/")
+                && !(file.matches("src/\\w+/(resources|schemas)/.*") && names(file, game)))
+            .collect(Collectors.joining(" "));
     }
-
-    // ---- a new arithmetic must not pass for another one in silence -------------------------------
-
-    private static String comparison(String file, String text) {
-        return Pattern.compile("[!=]= *Arithmetic\\.").matcher(text).find() ? "compares" : null;
-    }
-
-    @Test
-    void thePhysicsComparesNoArithmeticsButByExhaustiveSwitches() {
-        assertEquals(Map.of(), problems(SourceText.below("src/engine/java/steward/physics"),
-            SourceTextTest::comparison));
-        assertEquals("compares", comparison("X.java", "boolean exact = of !=Arithmetic.DOUBLE;"));
-    }
-
-    // ---- no file names a game other than the first, but for its own room, resources and lists ----
-
-    private static final String FIRST_GAME = "podrace";
-    /** Lists in which every game has a line. */
-    private static final List<String> LISTS = List.of("src/engine/resources/META-INF/services/steward.game.GameType",
-        "src/engine/java/steward/scene/SceneFiles.java", "src/main/resources/steward/view/page.js");
 
     /**
-     * A room's name with a hyphen at any place: {@code searchrace} is also {@code search-race} and SearchRace. Bodies
-     * are everywhere; the game of this name is known by its package, its types and its files.
+     * Tests whether a text names the game of a room: {@code searchrace} is also {@code search-race} and SearchRace.
+     * Bodies are everywhere; the game of this name is known by its package, its types and its files.
      */
-    private static Pattern nameOf(String game) {
-        return game.equals("bodies") ? Pattern.compile("steward[./]game[./]bodies|Bodies(Game|Type)|/bodies\\.js")
-            : Pattern.compile(String.join("-?", game.split("")), Pattern.CASE_INSENSITIVE);
-    }
-
-    private static Set<String> filesThatName(String game, Map<String, String> files) {
-        Pattern name = nameOf(game);
-        return problems(files, (file, text) -> file.contains("/java/steward/game/" + game + "/")
-            || file.matches("src/\\w+/(resources|schemas)/.*") && name.matcher(file).find()
-            || !name.matcher(text).find() ? null : "names " + game).keySet();
-    }
-
-    @Test
-    @Tag("slow")
-    void aGameIsNamedInTheListsAlone() {
-        Map<String, String> files = SourceText.ofKind("", "src/engine", "src/main", "src/lab");
-        Set<String> games = House.ROOMS.stream().filter(room -> room.matches("game\\.\\w+"))
-            .map(room -> room.replace("game.", "")).collect(Collectors.toSet());
-        assertTrue(games.remove(FIRST_GAME) && games.contains("searchrace"), games::toString);
-        for (String game : games) {
-            Set<String> elsewhere = new TreeSet<>(filesThatName(game, files));
-            LISTS.forEach(elsewhere::remove);
-            assertEquals(Set.of(), elsewhere, game);
-        }
-        assertTrue(filesThatName(FIRST_GAME, files)
-            .contains("src/main/java/steward/codingame/recording/RecordingImport.java"), "it can find something");
+    private static boolean names(String text, String game) {
+        return game.equals("bodies") ? BODIES.matcher(text).find()
+            : text.replace("-", "").toLowerCase(Locale.ROOT).contains(game);
     }
 }

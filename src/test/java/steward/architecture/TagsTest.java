@@ -11,15 +11,12 @@ import com.tngtech.archunit.core.domain.JavaCodeUnit;
 import com.tngtech.archunit.core.domain.JavaConstructor;
 import com.tngtech.archunit.core.domain.JavaMethod;
 import com.tngtech.archunit.core.domain.properties.HasAnnotations;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
-import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashSet;
-import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.function.Predicate;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -41,68 +38,54 @@ import steward.match.TestSize;
 @Execution(ExecutionMode.CONCURRENT)
 class TagsTest {
 
-    private static final JavaClasses ALL = ArchConfiguration.withThreadLocalScope(imports -> {
-        imports.setClassResolverArguments("org.junit.jupiter");               // nothing is asked of our own classes
-        return new ClassFileImporter().importPaths(HouseClasses.homesOfTests().stream().map(Path::of).toList());
-    });
-
     @Test
-    void whatHasASizeSaysSo() {
-        assertEquals(Set.of(), untagged(type -> !isPlanted(type)));
-    }
-
-    @Test
-    void whatIsPlantedIsFound() {
-        assertEquals(Set.of("Planted.asksItself", "Planted.hasAHelperAsk"), untagged(TagsTest::isPlanted));
-    }
-
-    private static boolean isPlanted(JavaClass type) {
-        return type.isEquivalentTo(Planted.class);
-    }
-
-    private static Set<String> untagged(Predicate<JavaClass> which) {
-        Set<String> found = new TreeSet<>();
-        for (JavaClass type : ALL) {
+    void whatHasASizeSaysSoButForWhatIsPlanted() throws ClassNotFoundException {
+        Class<?> ofLab = Class.forName("steward.lab.cli.LabCommandsTest");
+        JavaClasses tests = ArchConfiguration.withThreadLocalScope(imports -> {
+            imports.setClassResolverArguments("org.junit.jupiter");           // nothing is asked of our own classes
+            return House.importHomesOf(TestSize.class, TagsTest.class, ofLab);
+        });
+        Set<JavaCodeUnit> sized = callersOf(tests.get(TestSize.class));
+        Set<String> untagged = new TreeSet<>();
+        for (JavaClass type : tests) {
+            boolean always = type.getCodeUnits().stream()
+                .anyMatch(unit -> isRunBeforeTests(unit) && sized.contains(unit));
             for (JavaMethod test : type.getMethods()) {
-                if (which.test(type) && test.isMetaAnnotatedWith(Testable.class) && !saysSo(test) && !saysSo(type)
-                        && hasASize(test)) {
-                    found.add(type.getSimpleName() + "." + test.getName());
+                if (test.isMetaAnnotatedWith(Testable.class) && (always || sized.contains(test)) && !saysSo(test)
+                        && !saysSo(type)) {
+                    untagged.add(type.getSimpleName() + "." + test.getName());
                 }
             }
         }
-        return found;
+        assertEquals(Set.of("Planted.asksItself", "Planted.hasAHelperAsk", "PlantedBefore.usesTheSize"), untagged);
+    }
+
+    /** Returns what calls a class, directly or through others. */
+    private static Set<JavaCodeUnit> callersOf(JavaClass type) {
+        Set<JavaCodeUnit> callers = new HashSet<>();
+        Deque<JavaAccess<?>> open = new ArrayDeque<>(type.getAccessesToSelf());
+        while (!open.isEmpty()) {
+            JavaCodeUnit caller = open.remove().getOrigin();
+            if (callers.add(caller)) {
+                open.addAll(caller.getAccessesToSelf());
+            }
+        }
+        return callers;
+    }
+
+    private static boolean isRunBeforeTests(JavaCodeUnit unit) {
+        return unit instanceof JavaConstructor || unit.getName().equals("<clinit>")
+            || unit.isAnnotatedWith(BeforeEach.class) || unit.isAnnotatedWith(BeforeAll.class);
     }
 
     /** Campaigns are large anyway. */
     private static boolean saysSo(HasAnnotations<?> annotated) {
-        Set<String> tags = new HashSet<>();
-        annotated.tryGetAnnotationOfType(Tag.class).ifPresent(tag -> tags.add(tag.value()));
-        annotated.tryGetAnnotationOfType(Tags.class).ifPresent(all -> List.of(all.value())
-            .forEach(tag -> tags.add(tag.value())));
-        return tags.contains("sized") || tags.contains("campaign");
+        return Stream.concat(annotated.tryGetAnnotationOfType(Tag.class).stream(),
+            annotated.tryGetAnnotationOfType(Tags.class).stream().flatMap(all -> Stream.of(all.value())))
+            .anyMatch(tag -> Set.of("sized", "campaign").contains(tag.value()));
     }
 
-    private static boolean hasASize(JavaMethod test) {
-        Set<JavaCodeUnit> seen = new HashSet<>(Set.of(test));
-        test.getOwner().getStaticInitializer().ifPresent(seen::add);
-        test.getOwner().getCodeUnits().stream().filter(unit -> unit instanceof JavaConstructor
-            || unit.isAnnotatedWith(BeforeEach.class) || unit.isAnnotatedWith(BeforeAll.class)).forEach(seen::add);
-        Deque<JavaCodeUnit> open = new ArrayDeque<>(seen);
-        while (!open.isEmpty()) {
-            for (JavaAccess<?> access : open.remove().getAccessesFromSelf()) {
-                if (access.getTargetOwner().isEquivalentTo(TestSize.class)) {
-                    return true;
-                }
-                if (access.getTarget().resolveMember().orElse(null) instanceof JavaCodeUnit called
-                        && ALL.contain(access.getTargetOwner().getName()) && seen.add(called)) {
-                    open.add(called);
-                }
-            }
-        }
-        return false;
-    }
-
-    /** Abstract, so that JUnit does not run it. */
+    /** Abstract, so that JUnit does not run it; what carries the tag, or asks nothing, stands in other classes. */
     abstract static class Planted {
 
         @ParameterizedTest
@@ -116,20 +99,18 @@ class TagsTest {
             assertTrue(size() > 0);
         }
 
-        private static int size() {
+        static int size() {
             return TestSize.of(1, 2);
         }
+    }
+
+    /** Abstract too; its size is asked before each test. */
+    abstract static class PlantedBefore {
+        private final int size = Planted.size();
 
         @Test
-        @Tag("slow")
-        @Tag("sized")
-        void asksAndSaysSo() {
-            assertTrue(size() > 0);
-        }
-
-        @Test
-        void asksNothing() {
-            assertEquals(List.of(), List.of());
+        void usesTheSize() {
+            assertTrue(size > 0);
         }
     }
 }
