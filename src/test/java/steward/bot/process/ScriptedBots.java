@@ -47,14 +47,15 @@ public final class ScriptedBots {
     }
 
     /**
-     * A process that a shell started in the background ignores Ctrl-C, one that nohup started the end of its terminal, and
-     * so do the processes that it starts.
+     * A process that a shell started in the background ignores Ctrl-C, and one that nohup started the end of its
+     * terminal; so do the processes that it starts.
      */
     public static void assumeInterruptible() throws IOException {
         Path status = Path.of("/proc/self/status");
         assumeTrue(Files.exists(status), "there is no /proc");
         assumeTrue(Files.readAllLines(status).stream().filter(line -> line.startsWith("SigIgn:"))
-            .noneMatch(line -> (Long.parseUnsignedLong(line.substring("SigIgn:".length()).strip(), 16) & HUP_AND_INT) != 0),
+            .map(line -> Long.parseUnsignedLong(line.substring("SigIgn:".length()).strip(), 16))
+            .noneMatch(mask -> (mask & HUP_AND_INT) != 0),
             "this process ignores the signal of Ctrl-C, or that of a terminal that closes");
     }
 
