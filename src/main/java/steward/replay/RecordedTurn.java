@@ -1,6 +1,7 @@
 package steward.replay;
 
 import java.lang.reflect.RecordComponent;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Objects;
 import steward.json.JsonNumbers;
@@ -55,9 +56,7 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
     }
 
     public boolean hasCommand(int player) {
-        try (JsonParser in = command(player)) {
-            return in != null;
-        }
+        return isValue(entry(commands, player));
     }
 
     /** Returns a parser on the first token of a player's command; {@code null} if it has none. */
@@ -67,18 +66,18 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
 
     /** A parser on an element of an array; {@code null} if that is absent or null. */
     private static JsonParser element(byte[] array, int index) {
-        JsonParser in = parser(array);
-        in.nextToken();
-        JsonToken token = in.nextToken();
-        for (int k = 0; k < index && token != JsonToken.END_ARRAY; k++) {
-            in.skipChildren();
-            token = in.nextToken();
-        }
-        if (token == JsonToken.END_ARRAY || token == JsonToken.VALUE_NULL) {
-            in.close();
+        byte[] entry = entry(array, index);
+        if (!isValue(entry)) {
             return null;
         }
+        JsonParser in = parser(entry);
+        in.nextToken();
         return in;
+    }
+
+    private static boolean isValue(byte[] entry) {
+        String text = entry == null ? "" : new String(entry, StandardCharsets.UTF_8);
+        return !text.isBlank() && !text.strip().equals("null");
     }
 
     /** Tells a turn of a player's fault or answer, if it has one. */
@@ -97,10 +96,8 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
      * @param length how many bytes of it count
      */
     public boolean hasCommand(int player, byte[] json, int length) {
-        int from = beginning(player);
-        int to = from + length;
-        return from > 0 && to < commands.length && (commands[to] == ',' || commands[to] == ']')
-            && Arrays.equals(commands, from, to, json, 0, length);
+        byte[] entry = entry(commands, player);
+        return entry != null && Arrays.equals(entry, 0, entry.length, json, 0, length);
     }
 
     /**
@@ -142,30 +139,31 @@ public record RecordedTurn(int number, byte[] commands, String[] faults, String 
             + ", expected a state of " + game.getSimpleName());
     }
 
-    /** Returns where an entry of the array of commands begins, or -1 if there are fewer. */
-    private int beginning(int number) {
-        int passed = 0;
+    /** Returns an entry of an array as it is written between its commas; {@code null} if there are fewer. */
+    private static byte[] entry(byte[] array, int number) {
+        int left = number;
+        int from = 1;
         int depth = 0;
         boolean quoted = false;
-        for (int at = 1; at < commands.length; at++) {
-            if (passed == number) {
-                return at;
-            }
-            byte one = commands[at];
+        for (int at = 1; at < array.length; at++) {
+            byte one = array[at];
             if (quoted) {
                 at += one == '\\' ? 1 : 0;
                 quoted = one != '"';
             } else if (one == '"') {
                 quoted = true;
+            } else if (depth == 0 && (one == ',' || one == ']')) {
+                if (left-- == 0) {
+                    return at == from ? null : Arrays.copyOfRange(array, from, at);
+                }
+                from = at + 1;
             } else if (one == '[' || one == '{') {
                 depth++;
             } else if (one == ']' || one == '}') {
                 depth--;
-            } else if (one == ',' && depth == 0) {
-                passed++;
             }
         }
-        return -1;
+        return null;
     }
 
     /**

@@ -16,7 +16,6 @@ import steward.game.GameSetup;
 import steward.game.GameType;
 import steward.game.GameTypes;
 import steward.game.ViewWriter;
-import steward.json.JsonNumbers;
 import steward.json.LineParser;
 import steward.match.GuestSetup;
 import steward.replay.RecordedTurn;
@@ -29,7 +28,6 @@ import steward.text.TextFormat;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
-import tools.jackson.core.ObjectReadContext;
 
 /** Re-simulation of a recorded match from its scene, seed, commands and faults. */
 public final class Resimulation {
@@ -257,7 +255,7 @@ public final class Resimulation {
         if (readCommands(json, 0, json.length, turn.faults()) >= 0) {
             return null;
         }
-        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), json, 0, json.length)) {
+        try (JsonParser in = RecordedTurn.parser(json)) {
             in.nextToken();
             return readEach(in, turn.number(), turn.faults());
         } catch (JacksonException problem) {
