@@ -19,13 +19,18 @@ public final class ServerRecording {
      *
      * @param information for people about the answer of the frame
      * @param tooltips    a line for each, which begins with its player
+     * @param aside       true for a frame of the server's referee that ends no turn, which is not compared
      */
-    public record Frame(String view, String summary, String information, String tooltips) {
+    public record Frame(String view, String summary, String information, String tooltips, boolean aside) {
+
+        /** Frame that the recording lacks. */
+        public static final Frame LACKING = new Frame(null, null, null, null, false);
 
         private static final String VIEW = "view";
         private static final String SUMMARY = "summary";
         private static final String INFORMATION = "information";
         private static final String TOOLTIPS = "tooltips";
+        private static final String ASIDE = "aside";
 
         static void writeAll(JsonGenerator out, String name, List<Frame> frames) {
             JsonObject.writeAll(out, name, frames, frame -> {
@@ -33,13 +38,16 @@ public final class ServerRecording {
                 writeText(out, SUMMARY, frame.summary);
                 writeText(out, INFORMATION, frame.information);
                 writeText(out, TOOLTIPS, frame.tooltips);
+                if (frame.aside) {
+                    out.writeBooleanProperty(ASIDE, true);
+                }
             });
         }
 
         static List<Frame> readAll(JsonLine line, String name) {
             return !line.has(name) ? List.of() : line.objects(name).stream().map(frame ->
                 new Frame(readText(frame, VIEW), readText(frame, SUMMARY), readText(frame, INFORMATION),
-                    readText(frame, TOOLTIPS))).toList();
+                    readText(frame, TOOLTIPS), frame.flag(ASIDE))).toList();
         }
     }
 

@@ -211,10 +211,10 @@ final class GuestGameImport implements RecordingImport, ImportedMatch.Frames {
     private List<ServerRecording.Frame> shown(int from, int to) {
         List<ServerRecording.Frame> shown = new ArrayList<>();
         for (int frame = from; frame < Math.min(to, frames.size()); frame++) {
-            ServerRecording.Frame of = frames.shown(frame);
+            ServerRecording.Frame of = frames.shown(frame, false);
             boolean plain = of.view() == null || of.view().startsWith(KEY_FRAME) || of.view().startsWith(OTHER_FRAME);
             shown.add(new ServerRecording.Frame(plain ? of.view() : (frames.endsTurn(frame, false) ? KEY_FRAME
-                : OTHER_FRAME) + " " + of.view().stripLeading(), of.summary(), null, of.tooltips()));
+                : OTHER_FRAME) + " " + of.view().stripLeading(), of.summary(), null, of.tooltips(), false));
         }
         return shown;
     }

@@ -65,8 +65,7 @@ public interface RecordingImport {
             return ServerGameImport.of(GameRecordingFile.gameResult(json, source), source, types, rules);
         }
         if (rules != null) {
-            throw new IllegalArgumentException(source + ": found another game, expected a pod race where rules are "
-                + "named");
+            throw ServerGameImport.otherGame(source);
         }
         return LineRecordingImport.of(read, source, types);
     }

@@ -93,11 +93,15 @@ final class ServerFrames {
         }
     }
 
-    /** The texts of a frame; anything but a text counts as none. */
-    ServerRecording.Frame shown(int frame) {
+    /**
+     * The texts of a frame; anything but a text counts as none.
+     *
+     * @param aside true if it is the referee's and ends no turn
+     */
+    ServerRecording.Frame shown(int frame, boolean aside) {
         return new ServerRecording.Frame(frame(frame).path("view").asString(null),
             frame(frame).path("summary").asString(null), frame(frame).path("gameInformation").asString(null),
-            tooltips == null ? null : tooltips.getOrDefault(frame, ""));
+            tooltips == null ? null : tooltips.getOrDefault(frame, ""), aside);
     }
 
     RecordingFacts facts(int players) {
@@ -144,18 +148,19 @@ final class ServerFrames {
             if (!ends && agent == players - 1) {
                 throw wrong(k, "keyframe", "false", "true, because all players have answered");
             }
-            if (ends || agent >= 0) {
-                shown.add(shown(k));
-            }
+            boolean aside = !ends && agent < 0;
+            (aside && next == 0 && !turns.isEmpty() ? turns.get(turns.size() - 1).frames() : shown)
+                .add(shown(k, aside));
             if (ends) {
-                turns.add(new Turn(Arrays.asList(said), List.copyOf(shown)));
-                shown.clear();
+                turns.add(new Turn(Arrays.asList(said), shown));
+                shown = new ArrayList<>();
                 said = none(players);
                 next = 0;
             }
         }
         if (next > 0 && (over || said[next - 1].isEmpty())) {
-            turns.add(new Turn(Arrays.asList(said), List.of()));
+            shown.add(ServerRecording.Frame.LACKING);
+            turns.add(new Turn(Arrays.asList(said), shown));
         }
         return turns;
     }

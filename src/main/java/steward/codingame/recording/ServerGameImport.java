@@ -36,8 +36,7 @@ final class ServerGameImport implements RecordingImport, ImportedMatch.Frames {
     private ServerGameImport(ServerFrames frames, GameType type, String source, GameTypes types, RulesEdition rules) {
         frames.requireStart();
         if (rules != null && !type.id().equals(WITH_RULES)) {
-            throw new IllegalArgumentException(source + ": found another game, expected a pod race where rules are "
-                + "named");
+            throw otherGame(source);
         }
         view = type.serverView().orElseThrow();
         ServerView.Start start = view.open(frames.first(), frames.input());
@@ -58,8 +57,13 @@ final class ServerGameImport implements RecordingImport, ImportedMatch.Frames {
         end = new ServerRecording.End(played, List.of(), words(IntStream.of(ranks).mapToObj(Integer::toString)),
             words(DoubleStream.of(scores).mapToObj(Double::toString)), null, null);
         facts = frames.facts(players);
-        shown.add(List.of(frames.shown(0)));
+        shown.add(List.of(frames.shown(0, false)));
         turns.forEach(turn -> shown.add(turn.frames()));
+    }
+
+    /** Refusal of a game that has no rules to name. */
+    static IllegalArgumentException otherGame(String source) {
+        return new IllegalArgumentException(source + ": found another game, expected a pod race where rules are named");
     }
 
     private static String words(Stream<String> numbers) {

@@ -42,6 +42,7 @@ public final class ViewComparison {
     /** Views that end early, and frames behind the end, of which a game does not know what they show. */
     private int cut;
     private int unknown;
+    private int aside;
     private boolean isResultCompared = true;
     private ReplayDifference difference;
 
@@ -87,6 +88,10 @@ public final class ViewComparison {
         if (unknown > 0) {
             notCompared.add(TextFormat.count(unknown, "frame") + " behind the end");
         }
+        if (aside > 0) {
+            notCompared.add(TextFormat.count(aside, "frame") + " of the referee that "
+                + (aside == 1 ? "ends" : "end") + " no turn");
+        }
         if (!isResultCompared) {
             notCompared.add("ranks and scores");
         }
@@ -117,7 +122,8 @@ public final class ViewComparison {
     }
 
     /** Compares the frames of the turn just played. */
-    void turn(RecordedTurn turn, List<ServerRecording.Frame> frames) {
+    void turn(RecordedTurn turn, List<ServerRecording.Frame> shown) {
+        List<ServerRecording.Frame> frames = compared(shown);
         if (difference != null) {
             behind += frames.size();
             return;
@@ -131,6 +137,13 @@ public final class ViewComparison {
                 writer.after(turn.messages(), view == null ? List.of() : view), true);
             turns += difference == null && view != null && view.size() > 1 ? 1 : 0;
         }
+    }
+
+    /** Returns frames without those that are never compared, which it counts. */
+    private List<ServerRecording.Frame> compared(List<ServerRecording.Frame> frames) {
+        List<ServerRecording.Frame> compared = frames.stream().filter(frame -> !frame.aside()).toList();
+        aside += frames.size() - compared.size();
+        return compared;
     }
 
     /** Compares the frames of a turn but for its last one, and how many there are. */
@@ -158,7 +171,7 @@ public final class ViewComparison {
             .mapToObj(Double::toString).collect(Collectors.joining(" ")));
         compareText(game.turn(), "input", end.input(), writer.input());
         compareText(game.turn(), "metadata", end.data(), writer.metadata());
-        for (ServerRecording.Frame frame : end.frames()) {
+        for (ServerRecording.Frame frame : compared(end.frames())) {
             behind += difference == null ? 0 : 1;
             List<String> declared = writer.declared();
             boolean isKnown = !declared.equals(ViewWriter.UNKNOWN);

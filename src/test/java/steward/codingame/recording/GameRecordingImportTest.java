@@ -349,6 +349,36 @@ class GameRecordingImportTest {
     }
 
     @Test
+    void aTurnWithoutItsKeyFrameKeepsItsFramesAndLacksTexts() {
+        ObjectNode game = ranks(cut(null, null), 1, 0);
+        ImportedRecording.cut(game, 60);
+        String text = assertEnds(game, "[\"no answer in the recording\",null]");
+        assertTrue(text.contains("\"server\":[{\"view\":\" 59\\n\"},{}]"), () -> text.substring(text.length() - 2000));
+        List<String> told = views(game.toString()).notCompared();
+        assertTrue(told.contains("2 texts of frames that the recording lacks"), told::toString);
+    }
+
+    /** One within the last turn, one behind it. */
+    @Test
+    void framesOfTheRefereeThatEndNoTurnAreKeptAndNotCompared() {
+        ObjectNode game = cut();
+        game.remove("ranks");
+        ObjectNode last = ImportedRecording.frame(game, 60);
+        last.put("view", last.get("view").stringValue().replaceFirst("60", "61"));
+        ArrayNode frames = (ArrayNode) game.get("frames");
+        frames.insertObject(60).put("agentId", -1).put("keyframe", false).put("view", " 60\nwithin\n");
+        frames.addObject().put("agentId", -1).put("view", " 62\nbehind\n").put("summary", "more");
+        ImportedRecording recording = ImportedRecording.of(game.toString());
+        ViewComparison views = new ViewComparison();
+        Verification found = recording.verified(views);
+        assertNull(found.difference());
+        assertEquals(30, found.turns());
+        assertTrue(recording.text().contains("within") && recording.text().contains("behind"));
+        List<String> told = views.notCompared();
+        assertTrue(told.contains("2 frames of the referee that end no turn"), told::toString);
+    }
+
+    @Test
     void aRecordingThatWasCutOffVerifiesUpToTheCut() {
         ObjectNode game = cut();
         game.remove("ranks");

@@ -90,8 +90,8 @@ final class SearchRaceAnswer extends JsonAnswer {
             + SearchRaceSettings.MAXIMUM_THRUST : null;
     }
 
-    /** Makes what was read the command for the next turn. @return {@code null}: nothing is wrong with it */
-    String command(SearchRace race) {
+    /** Makes what was read the command for the next turn. */
+    void command(SearchRace race) {
         if (Double.isNaN(turn)) {
             race.toward(x + 0.0, y + 0.0, (int) thrust);
         } else {
@@ -100,6 +100,5 @@ final class SearchRaceAnswer extends JsonAnswer {
         if (debug) {
             race.askForTimes();
         }
-        return null;
     }
 }

@@ -73,7 +73,10 @@ public final class SearchRaceJson implements GameJson {
     public String readAnswer(int player, byte[] line, int length) {
         String wrong = answer.read(line, length);
         message = wrong == null ? answer.message() : null;
-        return wrong != null ? wrong : answer.command(race);
+        if (wrong == null) {
+            answer.command(race);
+        }
+        return wrong;
     }
 
     @Override
@@ -100,7 +103,10 @@ public final class SearchRaceJson implements GameJson {
     @Override
     public String readCommand(JsonParser in, int player) {
         String wrong = command.readObject(in);
-        return wrong != null ? wrong : command.command(race);
+        if (wrong == null) {
+            command.command(race);
+        }
+        return wrong;
     }
 
     @Override
