@@ -2,7 +2,7 @@ package steward.game;
 
 import java.nio.charset.StandardCharsets;
 
-/** What codecs write and read, as text. */
+/** Text of codecs: lines and frames that they write, answers that they read. */
 public final class CodecText {
 
     private CodecText() {

@@ -54,7 +54,7 @@ final class PondJson extends JsonAnswer implements GameJson {
         });
     }
 
-    /** What of a body stays the same while it flies. @return its owner, or -1 */
+    /** Writes the fields of a body that do not change while it flies. @return its owner, or -1 */
     private int writeShape(JsonGenerator out, int body) {
         out.writeStringProperty("kind", KINDS[pond.bodies().kind[body]]);
         JsonNumbers.write(out, "radius", pond.bodies().radius[body]);

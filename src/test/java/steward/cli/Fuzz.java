@@ -129,7 +129,7 @@ public final class Fuzz {
         return targets;
     }
 
-    /** What comes from other machines. */
+    /** Targets for bytes from other machines. */
     static List<Named> incoming(Path folder, long seed) throws IOException {
         IncomingBytes incoming = new IncomingBytes(Files.createDirectory(folder.resolve("incoming")), seed);
         return List.of(new Named("message of a worker", incoming::word), new Named("message of a league",

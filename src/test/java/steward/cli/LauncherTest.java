@@ -38,7 +38,7 @@ class LauncherTest {
         assertTrue(java.toFile().setExecutable(true));
     }
 
-    /** What a script says that ends well, of this Java. */
+    /** The output of a script that ends well, with a Java of this version. */
     private String run(Path script, String version, String... words) throws IOException, InterruptedException {
         Files.writeString(folder.resolve("java/release"), "JAVA_VERSION=\"" + version + "\"\n");
         ProcessBuilder shell = new ProcessBuilder(Cli.words(List.of("/bin/sh", script.toString()), words))

@@ -56,7 +56,7 @@ class ResidentRefereeTest {
             .resolve("Referee.java"), source));
     }
 
-    /** What adopting tells. */
+    /** The lines that adopting tells. */
     private List<String> adopted() {
         List<String> told = new ArrayList<>();
         Adoption.scene(folder, null, null, "small", Isolation::usual, told::add);

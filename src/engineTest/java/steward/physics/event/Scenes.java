@@ -96,7 +96,7 @@ public final class Scenes {
         return body;
     }
 
-    /** What forces do to all bodies at the beginning of a turn. */
+    /** Accelerates all bodies as forces do at the beginning of a turn. */
     public static void accelerate(Forces forces, Bodies bodies) {
         for (int k = 0; k < bodies.size(); k++) {
             forces.accelerate(bodies, k, 0, 0);

@@ -4,6 +4,7 @@ import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -129,7 +130,8 @@ public final class RunCommand extends ProgramCommand {
              });
              ProgressLine progress = ProgressLine.watched(streams, "turns", contest.setup().mostTurns())) {
             OutputStream written = display == null ? recording : display.with(recording);
-            result = contest.play(used, 0, written, tables.following(() -> progress.step(tables::standing)));
+            Supplier<String> standing = tables::standing;                // made once, not for each turn
+            result = contest.play(used, 0, written, tables.following(() -> progress.step(standing)));
             hint.over();
             if (recording != null && recording.isBroken()) {
                 throw new FailedException(recording.problem());

@@ -29,7 +29,7 @@ import tools.jackson.databind.node.ObjectNode;
 
 /**
  * Games played here, in the form of official recordings, imported: they verify, and every change in them is found in
- * the turn that was changed.
+ * the turn that was changed. Over 400 lines, because all cases spoil one game and look for the change in it.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class GameRecordingImportTest {

@@ -98,7 +98,7 @@ record ImportedRecording(Imported imported, byte[] replay) {
         return Verification.of(new ReplayReader(new ByteArrayInputStream(replay), "r.jsonl"), TestScenes.TYPES, views);
     }
 
-    /** What a verification lacks, or {@code null}. */
+    /** The first difference or missing turn of a verification, or {@code null}. */
     String difference(Verification found) {
         return found.difference() != null ? found.difference().toString()
             : imported.turns() == found.turns() ? null : found.turns() + " turns verified of " + imported.turns();

@@ -57,7 +57,7 @@ class MisbehavingBotsTest {
         return new Seat(new BotProcess("bad", List.of("/bin/sh", "-c", script)), Protocol.CODINGAME);
     }
 
-    /** What a bot does in its third turn, and its fault. */
+    /** Shell text of a bot's third turn, and the fault that it leads to. */
     static Stream<Arguments> faults() {
         return Stream.of(
             Arguments.of("kill -SEGV $$; sleep 60", TimeControl.UNLIMITED,
