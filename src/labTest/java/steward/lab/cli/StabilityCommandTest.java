@@ -145,8 +145,9 @@ class StabilityCommandTest {
             .redirectError(errors.toFile()).redirectOutput(folder.resolve("table").toFile()).start();
         try {
             Path csv = out.resolve("stability.csv");
-            Path json = out.resolve("stability.json");         // written after the other
-            for (int k = 0; k < 600 && (!Files.exists(json) || Files.readAllLines(csv).size() < 4); k++) {
+            Path json = out.resolve("stability.json");
+            for (int k = 0; k < 600 && (!Files.exists(json) || !Files.exists(csv)
+                || Files.readAllLines(csv).size() < 4); k++) {
                 Thread.sleep(50);
             }
         } finally {
