@@ -150,7 +150,7 @@ public final class OutputFiles {
     public static void replace(Path file, byte[] content) throws IOException {
         Path part = file.resolveSibling(file.getFileName() + ".part");
         Files.write(part, content);
-        Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
+        Files.move(part, file, StandardCopyOption.ATOMIC_MOVE);
     }
 
     /** True if both are the same file, there already or about to be; {@code null} is never the same. */
