@@ -23,34 +23,30 @@ public final class Browser {
 
     private static final String NO_DISPLAY = "there is no display to show it on";
 
-    private final List<List<String>> openers;
+    private final List<String> opener;
 
-    /** @param openers programs that take an address as their last argument, best first */
-    Browser(List<List<String>> openers) {
-        this.openers = openers;
+    /** @param opener a program that takes an address as its last argument; none where nothing can be shown */
+    Browser(List<String> opener) {
+        this.opener = opener;
     }
 
     public static Browser ofSystem() {
         String system = System.getProperty("os.name").toLowerCase(Locale.ROOT);
         if (system.contains("mac")) {
-            return new Browser(List.of(List.of("open")));
+            return new Browser(List.of("open"));
         }
         if (system.contains("windows")) {
-            return new Browser(List.of(List.of("rundll32", "url.dll,FileProtocolHandler")));
+            return new Browser(List.of("rundll32", "url.dll,FileProtocolHandler"));
         }
         // Without a display xdg-open would start a browser in the terminal, which this program uses.
         return new Browser(DISPLAYS.stream().anyMatch(name -> System.getenv(name) != null)
-            ? List.of(List.of("xdg-open")) : List.of());
+            ? List.of("xdg-open") : List.of());
     }
 
     /** Returns why no page can be opened, or {@code null} if there is a program that may. */
     public String missing() {
-        for (List<String> opener : openers) {
-            if (ProgramFinder.find(opener.get(0)) != null) {
-                return null;
-            }
-        }
-        return openers.isEmpty() ? NO_DISPLAY : "there is no " + openers.get(0).get(0);
+        return opener.isEmpty() ? NO_DISPLAY
+            : ProgramFinder.find(opener.get(0)) == null ? "there is no " + opener.get(0) : null;
     }
 
     /**
@@ -59,18 +55,9 @@ public final class Browser {
      * @return {@code null}, or why it could not be opened
      */
     public String open(URI address) throws InterruptedException {
-        List<String> problems = new ArrayList<>();
-        for (List<String> opener : openers) {
-            String problem = open(opener, address);
-            if (problem == null) {
-                return null;
-            }
-            problems.add(problem);
+        if (opener.isEmpty()) {
+            return NO_DISPLAY;
         }
-        return problems.isEmpty() ? NO_DISPLAY : String.join(", ", problems);
-    }
-
-    private static String open(List<String> opener, URI address) throws InterruptedException {
         List<String> words = new ArrayList<>(opener);
         words.add(address.toString());
         Process process;

@@ -1,15 +1,15 @@
 package steward.live;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
+import java.util.Objects;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
+import steward.bot.command.ProgramFinder;
+import steward.files.Folders;
 import steward.replay.page.PageTemplate;
 
 /** Screenshot of a page, taken with a browser of the Chromium family that is on the PATH. */
@@ -36,9 +36,8 @@ public final class PagePicture {
      */
     public static void take(Path page, double time, Path png) throws InterruptedException, IOException {
         Path browser = browser();
-        Path profile = null;
+        Path profile = Files.createTempDirectory("steward-picture");
         try {
-            profile = Files.createTempDirectory("steward-picture");
             Path taken = profile.resolve("picture.png");
             Path elements = profile.resolve("page.html");
             ProcessBuilder call = new ProcessBuilder(browser.toString(), "--headless", "--no-sandbox", "--disable-gpu",
@@ -61,32 +60,17 @@ public final class PagePicture {
             }
             Files.write(png, Files.readAllBytes(taken));
         } finally {
-            delete(profile);
+            try {
+                Folders.delete(profile);
+            } catch (IOException inUse) {
+                profile.toFile().deleteOnExit();
+            }
         }
     }
 
     private static Path browser() throws IOException {
-        String suffix = System.getProperty("os.name").toLowerCase(Locale.ROOT).startsWith("windows") ? ".exe" : "";
-        for (String folder : System.getenv().getOrDefault("PATH", "").split(File.pathSeparator)) {
-            for (String name : BROWSERS) {
-                Path program = Path.of(folder.isEmpty() ? "." : folder, name + suffix);
-                if (Files.isExecutable(program) && Files.isRegularFile(program)) {
-                    return program;
-                }
-            }
-        }
-        throw new IOException("found no browser on the PATH, expected one of "
-            + String.join(", ", BROWSERS) + "; or open the page and press P");
-    }
-
-    private static void delete(Path folder) {
-        if (folder == null) {
-            return;
-        }
-        try (Stream<Path> files = Files.walk(folder)) {
-            files.sorted((one, other) -> other.compareTo(one)).forEach(file -> file.toFile().delete());
-        } catch (IOException left) {
-            folder.toFile().deleteOnExit();
-        }
+        return BROWSERS.stream().map(ProgramFinder::find).filter(Objects::nonNull).findFirst().orElseThrow(() ->
+            new IOException("found no browser on the PATH, expected one of " + String.join(", ", BROWSERS)
+                + "; or open the page and press P"));
     }
 }

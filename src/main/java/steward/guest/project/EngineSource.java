@@ -125,9 +125,7 @@ record EngineSource(Path repository, String text) {
                 throw taken;
             }
         } finally {
-            if (Files.isDirectory(making)) {
-                Folders.delete(making);
-            }
+            Folders.delete(making);
         }
     }
 

@@ -74,13 +74,11 @@ public record Bundle(String hash, byte[] bytes) {
             throw new InputException(who + ": found " + files.size() + " files, expected at most " + MOST_FILES
                 + " for workers; " + ifMany);
         }
-        HeaderText list = new HeaderText().putTexts("command", written(bot));
-        if (bot.platform() != null) {
-            list.put("platform", bot.platform());
-        }
+        HeaderText list = new HeaderText().put("command", written(bot));
+        list.put("platform", bot.platform());
         if (!bot.platforms().isEmpty()) {
             list.put("platforms", bot.platforms().stream().map(each -> new HeaderText().put("platform", each.platform())
-                .putTexts("command", written(bot.on(each.platform()))).put("folder", folder(bot, each))).toList());
+                .put("command", written(bot.on(each.platform()))).put("folder", folder(bot, each))).toList());
         }
         list.put("files", files.stream().map(each -> {
             HeaderText text = new HeaderText().put("typed", each.typed().toString()).put("place", each.place())

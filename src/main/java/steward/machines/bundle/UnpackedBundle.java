@@ -18,6 +18,7 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipInputStream;
 import steward.bot.command.BotCommand;
 import steward.bot.command.Program;
+import steward.files.Folders;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.files.Sha256;
@@ -61,7 +62,7 @@ public record UnpackedBundle(Path root, Path folder, BotCommand command, List<St
                     write(part, files, list);
                     Files.move(part, folder, StandardCopyOption.ATOMIC_MOVE);
                 } finally {
-                    remove(part);
+                    Folders.delete(part);
                 }
             }
             return of(folder, list, started, here);
@@ -189,14 +190,6 @@ public record UnpackedBundle(Path root, Path folder, BotCommand command, List<St
             return new Program(command.resolve(folder), folder, files);
         } catch (IllegalArgumentException problem) {
             throw new InputException(problem.getMessage());
-        }
-    }
-
-    private static void remove(Path folder) {
-        try (Stream<Path> files = Files.exists(folder) ? Files.walk(folder) : Stream.empty()) {
-            files.sorted((one, other) -> other.compareTo(one)).forEach(file -> file.toFile().delete());
-        } catch (IOException stays) {
-            return;
         }
     }
 }

@@ -2,12 +2,10 @@ package steward.machines.check;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
-import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
-import java.util.Arrays;
 import java.util.zip.Deflater;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.GZIPOutputStream;
@@ -20,8 +18,6 @@ public final class GzipText {
 
     /** Bytes that are taken at once. */
     private static final int BUFFER = 1 << 13;
-    /** Room for a usual text, in bytes: it grows where that is not enough. */
-    private static final int USUAL = 1 << 16;
 
     private GzipText() { }
 
@@ -64,17 +60,13 @@ public final class GzipText {
      * @throws IOException if it is damaged or has more
      */
     public static byte[] bytes(byte[] compressed, int most) throws IOException {
-        byte[] bytes = new byte[USUAL];
-        int count = 0;
-        try (InputStream in = new Bounded(new GZIPInputStream(new ByteArrayInputStream(compressed), BUFFER), most)) {
-            for (int read = 0; read >= 0; read = in.read(bytes, count, bytes.length - count)) {
-                count += read;
-                if (count == bytes.length) {
-                    bytes = Arrays.copyOf(bytes, (int) Math.min(2L * count, most + 1L));
-                }
+        try (InputStream in = new GZIPInputStream(new ByteArrayInputStream(compressed), BUFFER)) {
+            byte[] bytes = in.readNBytes(most + 1);
+            if (bytes.length > most) {
+                throw new IOException("more than " + most + " bytes when unpacked");
             }
+            return bytes;
         }
-        return Arrays.copyOf(bytes, count);
     }
 
     /** Compresses more or less well. */
@@ -83,34 +75,6 @@ public final class GzipText {
         Levelled(OutputStream out, int level) throws IOException {
             super(out, BUFFER);
             def.setLevel(level);
-        }
-    }
-
-    /** Ends with an error after so many bytes. */
-    private static final class Bounded extends FilterInputStream {
-
-        private final int most;
-        private long count;
-
-        Bounded(InputStream in, int most) {
-            super(in);
-            this.most = most;
-        }
-
-        @Override
-        public int read() throws IOException {
-            byte[] one = new byte[1];
-            return read(one, 0, 1) < 0 ? -1 : one[0] & 0xFF;
-        }
-
-        @Override
-        public int read(byte[] bytes, int from, int length) throws IOException {
-            int read = super.read(bytes, from, length);
-            count += Math.max(0, read);
-            if (count > most) {
-                throw new IOException("more than " + most + " bytes when unpacked");
-            }
-            return read;
         }
     }
 }
