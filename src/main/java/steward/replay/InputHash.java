@@ -26,21 +26,15 @@ public final class InputHash {
     private InputHash() { }
 
     /**
-     * The bytes, then every text: its length and characters, or -1 for none.
+     * The hash of bytes alone.
      *
      * @param bytes hold JSON as it is written
      * @param from  the first byte that counts
      * @param to    the byte behind the last
-     * @param texts per kind (faults, messages, stderr) and player, or {@code null}
      */
-    public static String of(byte[] bytes, int from, int to, String[]... texts) {
+    public static String of(byte[] bytes, int from, int to) {
         StateHash hash = new StateHash();
         add(hash, bytes, from, to);
-        for (String[] ofPlayers : texts) {
-            for (String text : ofPlayers) {
-                add(hash, text);
-            }
-        }
         return StateHash.toHex(hash.value());
     }
 
@@ -75,13 +69,5 @@ public final class InputHash {
         }
         hash.add(a).add(b).add(c).add(d);
         return at;
-    }
-
-    /** Adds a text: its length and characters, or -1 for none. */
-    public static void add(StateHash hash, String text) {
-        hash.add(text == null ? -1L : text.length());
-        for (int k = 0; text != null && k < text.length(); k++) {
-            hash.add((long) text.charAt(k));
-        }
     }
 }

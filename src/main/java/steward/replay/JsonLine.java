@@ -150,27 +150,8 @@ public final class JsonLine {
 
     /** One string field, or null, of each object in an array. */
     public String[] textsOf(String name, String field) {
-        byte[] array = array(name);
-        List<String> texts = new ArrayList<>();
-        try (JsonParser in = JsonNumbers.FACTORY.createParser(ObjectReadContext.empty(), array, 0, array.length)) {
-            in.nextToken();
-            while (in.nextToken() == JsonToken.START_OBJECT) {
-                String text = null;
-                while (in.nextToken() == JsonToken.PROPERTY_NAME) {
-                    String found = in.currentName();
-                    JsonToken token = in.nextToken();
-                    text = found.equals(field) && token == JsonToken.VALUE_STRING ? in.getString() : text;
-                    in.skipChildren();
-                }
-                texts.add(text);
-            }
-            if (in.currentToken() != JsonToken.END_ARRAY) {
-                throw new ReplayException(where + ": " + name + "[" + texts.size() + "]: found "
-                    + JsonProblem.kind(in.currentToken())
-                    + ", expected an object");
-            }
-        }
-        return texts.toArray(new String[0]);
+        return objects(name).stream().map(object -> object.values.get(field)).map(value ->
+            value != null && value.token() == JsonToken.VALUE_STRING ? value.text() : null).toArray(String[]::new);
     }
 
     /** The objects of an array, each taken apart. */

@@ -124,7 +124,7 @@ public final class ReplayLines {
         JsonNumbers.write(out, Name.TURN, turn.number());
         out.writeName(Name.COMMANDS);
         TranscriptDigest.write(out, turn, codec);
-        writeTexts(Text.FAULT, turn);
+        writeTexts("faults", Turn::fault, turn);
     }
 
     /** The rest of the turn, which has been played. */
@@ -140,8 +140,8 @@ public final class ReplayLines {
 
     /** Writes the texts that the players said and wrote, and the hash. */
     public void texts(Turn turn) {
-        writeTexts(Text.MESSAGE, turn);
-        writeTexts(Text.STDERR, turn);
+        writeTexts("messages", Turn::message, turn);
+        writeTexts("stderr", Turn::stderr, turn);
         if (server != null) {
             server.write(out, turn.number());
         }
@@ -190,28 +190,13 @@ public final class ReplayLines {
     }
 
     /** A text of one player's turn. */
-    private enum Text {
-        FAULT("faults"),
-        MESSAGE("messages"),
-        STDERR("stderr");
-
-        private final String name;
-
-        Text(String name) {
-            this.name = name;
-        }
-
-        String of(Turn turn, int player) {
-            return switch (this) {
-                case FAULT -> turn.fault(player);
-                case MESSAGE -> turn.message(player);
-                case STDERR -> turn.stderr(player);
-            };
-        }
+    @FunctionalInterface
+    private interface Text {
+        String of(Turn turn, int player);
     }
 
     /** One text or null per player; left out if no player has one. */
-    private void writeTexts(Text text, Turn turn) {
+    private void writeTexts(String name, Text text, Turn turn) {
         boolean any = false;
         for (int player = 0; player < turn.players(); player++) {
             any |= text.of(turn, player) != null;
@@ -219,7 +204,7 @@ public final class ReplayLines {
         if (!any) {
             return;
         }
-        out.writeArrayPropertyStart(text.name);
+        out.writeArrayPropertyStart(name);
         for (int player = 0; player < turn.players(); player++) {
             out.writeString(text.of(turn, player));
         }

@@ -48,7 +48,7 @@ class TrafficTest {
         OfficialGame game = OfficialGame.play(12);
         for (String recording : List.of(game.json(), game.sketch(20))) {
             ByteArrayOutputStream replay = new ByteArrayOutputStream();
-            RecordingImport.of(recording, "game.json", TestScenes.TYPES).write(replay);
+            RecordingImport.of(recording, "game.json", TestScenes.TYPES, null).write(replay);
             List<String> lines = replay.toString(StandardCharsets.UTF_8).lines().toList();
             assertTrue(lines.size() > 20 && lines.get(0).contains("\"server\":["));
             for (String line : lines) {

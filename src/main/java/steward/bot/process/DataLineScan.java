@@ -1,10 +1,8 @@
 package steward.bot.process;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
-import java.util.Arrays;
 import java.util.List;
 import steward.bot.ErrorLine;
 
@@ -23,11 +21,7 @@ final class DataLineScan {
     private static final int BEFORE = 4;
     private static final int BEHIND = 8;
 
-    private static final List<byte[]> TAGS = List.of(ascii("[TDATA]"), ascii("[PDATA]"), ascii("[PDATA+]"));
-
-    private static byte[] ascii(String text) {
-        return text.getBytes(StandardCharsets.US_ASCII);
-    }
+    private static final List<String> TAGS = List.of("[TDATA]", "[PDATA]", "[PDATA+]");
 
     /** Start of the last line, if it may be a data line; otherwise {@code count}. */
     static int begunLine(byte[] bytes, int count) {
@@ -35,21 +29,24 @@ final class DataLineScan {
         while (start > 0 && bytes[start - 1] != '\n') {
             start--;
         }
-        return start < count && isData(bytes, start, count) ? start : count;
+        return start < count && isData(text(bytes, start, count)) ? start : count;
     }
 
     /** True if the received part of a line begins like a data line. */
-    private static boolean isData(byte[] bytes, int from, int to) {
-        for (byte[] tag : TAGS) {
-            int same = 0;
-            while (same < tag.length && from + same < to && bytes[from + same] == tag[same]) {
-                same++;
-            }
-            if (same == Math.min(tag.length, to - from)) {
-                return true;
-            }
-        }
-        return false;
+    private static boolean isData(String line) {
+        return TAGS.stream().anyMatch(tag -> line.startsWith(tag) || tag.startsWith(line));
+    }
+
+    /** A character for each byte, so that places in the text are those in the file. */
+    private static String text(byte[] bytes, int from, int to) {
+        return new String(bytes, from, to - from, StandardCharsets.ISO_8859_1);
+    }
+
+    private static String[] lines(RandomAccessFile file, long from, long to) throws IOException {
+        byte[] bytes = new byte[(int) Math.min(LOOKED_AT, to - from)];
+        file.seek(from);
+        file.readFully(bytes);
+        return text(bytes, 0, bytes.length).split("(?<=\n)");
     }
 
     /**
@@ -58,25 +55,17 @@ final class DataLineScan {
      * @param lineStart whether a line begins at {@code from}
      */
     static byte[] read(RandomAccessFile file, long from, long to, boolean lineStart) throws IOException {
-        byte[] bytes = new byte[(int) Math.min(LOOKED_AT, to - from)];
-        file.seek(from);
-        file.readFully(bytes);
-        ByteArrayOutputStream lines = new ByteArrayOutputStream();
+        StringBuilder kept = new StringBuilder();
         boolean atStart = lineStart;
-        for (int start = 0; start < bytes.length;) {
-            int end = start;
-            while (end < bytes.length && bytes[end] != '\n') {
-                end++;
+        for (String line : lines(file, from, to)) {
+            boolean whole = line.endsWith("\n") || to - from <= LOOKED_AT;
+            String plain = line.replace("\n", "");
+            if (atStart && whole && !plain.isEmpty() && isData(plain) && kept.length() + line.length() <= KEPT) {
+                kept.append(line);
             }
-            int behind = Math.min(bytes.length, end + 1);
-            boolean whole = end < bytes.length || from + bytes.length == to;
-            if (atStart && whole && isData(bytes, start, end) && end > start && lines.size() + behind - start <= KEPT) {
-                lines.write(bytes, start, behind - start);
-            }
-            start = behind;
             atStart = true;
         }
-        return lines.toByteArray();
+        return kept.toString().getBytes(StandardCharsets.ISO_8859_1);
     }
 
     /**
@@ -88,21 +77,17 @@ final class DataLineScan {
      */
     static byte[] error(RandomAccessFile file, long from, long to, long size) throws IOException {
         long start = Math.max(from, size - LOOKED_AT);
-        byte[] bytes = new byte[(int) Math.min(LOOKED_AT, size - start)];
-        file.seek(start);
-        file.readFully(bytes);
-        // A character for each byte, so that places in the text are those in the file.
-        List<String> lines = Arrays.asList(new String(bytes, StandardCharsets.ISO_8859_1).split("(?<=\n)"));
+        List<String> lines = List.of(lines(file, start, size));
         int found = ErrorLine.index(lines.stream().map(String::stripTrailing).toList());
-        ByteArrayOutputStream kept = new ByteArrayOutputStream();
+        StringBuilder kept = new StringBuilder();
         long at = start;
         for (int k = 0; found >= 0 && k < Math.min(found + BEHIND, lines.size()); k++) {
-            byte[] line = lines.get(k).getBytes(StandardCharsets.ISO_8859_1);
-            at += line.length;
-            if (k >= found - BEFORE && at <= to && !isData(line, 0, line.length) && kept.size() + line.length <= KEPT) {
-                kept.writeBytes(line);
+            String line = lines.get(k);
+            at += line.length();
+            if (k >= found - BEFORE && at <= to && !isData(line) && kept.length() + line.length() <= KEPT) {
+                kept.append(line);
             }
         }
-        return kept.toByteArray();
+        return kept.toString().getBytes(StandardCharsets.ISO_8859_1);
     }
 }

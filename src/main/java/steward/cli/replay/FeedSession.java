@@ -118,7 +118,8 @@ record FeedSession(Streams streams, GameTypes types, RecordedMatch match, int pl
         streams.hooks().add(last);
         PrintStream terminal = debugger ? null : streams.errTerminal() ? streams.err()
             : streams.outTerminal() ? streams.out() : null;
-        try (WaitingNotice waiting = new WaitingNotice(terminal, protocol.word(), WaitingNotice.AFTER_MS)) {
+        WaitingNotice waiting = new WaitingNotice(terminal, protocol.word(), WaitingNotice.AFTER_MS);
+        try {
             if (!json || pause != null) {
                 text().println(TextFormat.plain("process " + process.pid() + " is player " + player + " of "
                     + match.source() + ", speaks " + protocol.word() + ": " + called()));
@@ -138,6 +139,7 @@ record FeedSession(Streams streams, GameTypes types, RecordedMatch match, int pl
             text().flush();
             return report.status();
         } finally {
+            waiting.answered();
             end(process);
             streams.hooks().remove(last);
         }

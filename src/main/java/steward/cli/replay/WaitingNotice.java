@@ -1,13 +1,11 @@
 package steward.cli.replay;
 
 import java.io.PrintStream;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 
 /** Notice of the answer that the program is waiting for, printed once a turn after some time. */
-final class WaitingNotice implements AutoCloseable {
+final class WaitingNotice {
 
     /** Answers come within milliseconds; a person begins to wonder after some seconds. */
     static final long AFTER_MS = 2000;
@@ -15,12 +13,7 @@ final class WaitingNotice implements AutoCloseable {
     private final PrintStream terminal;
     private final String language;
     private final long afterMs;
-    private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(work -> {
-        Thread thread = new Thread(work, "feed-waiting");
-        thread.setDaemon(true);
-        return thread;
-    });
-    private ScheduledFuture<?> due;
+    private CompletableFuture<Void> due;
 
     /**
      * @param terminal where it is printed, or {@code null} for nowhere
@@ -35,10 +28,10 @@ final class WaitingNotice implements AutoCloseable {
     /** A bot is about to be asked. */
     void asked(int turn) {
         if (terminal != null) {
-            due = clock.schedule(() -> {
+            due = CompletableFuture.runAsync(() -> {
                 terminal.println("waiting for the bot's answer to turn " + turn + " (it is sent " + language + ")");
                 terminal.flush();
-            }, afterMs, TimeUnit.MILLISECONDS);
+            }, CompletableFuture.delayedExecutor(afterMs, TimeUnit.MILLISECONDS));
         }
     }
 
@@ -47,10 +40,5 @@ final class WaitingNotice implements AutoCloseable {
         if (due != null) {
             due.cancel(false);
         }
-    }
-
-    @Override
-    public void close() {
-        clock.shutdownNow();
     }
 }

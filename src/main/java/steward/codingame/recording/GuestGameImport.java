@@ -4,7 +4,6 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -74,8 +73,8 @@ final class GuestGameImport implements RecordingImport, ImportedMatch.Frames {
         views = types.viewWriter(setup.scene().gameId()).orElseThrow();
         double[] scores = frames.scores(players);
         int[] ranks = frames.ranks(players);
-        end = new ServerRecording.End(0, List.of(), words(IntStream.of(ranks).mapToObj(Integer::toString).toList()),
-            words(DoubleStream.of(scores).mapToObj(Double::toString).toList()),
+        end = new ServerRecording.End(0, List.of(), ServerGameImport.words(IntStream.of(ranks).mapToObj(Integer::toString)),
+            ServerGameImport.words(DoubleStream.of(scores).mapToObj(Double::toString)),
             input.lines().map(String::strip).filter(line -> !line.isEmpty()).sorted()
                 .collect(Collectors.joining("\n")), result.path("metadata").asString(null));
         facts = frames.facts(players);
@@ -94,10 +93,6 @@ final class GuestGameImport implements RecordingImport, ImportedMatch.Frames {
      */
     static GuestGameImport of(JsonNode gameResult, String source, GameTypes types, GuestSetup scene) {
         return new GuestGameImport(gameResult, source, types, scene);
-    }
-
-    private static String words(List<String> numbers) {
-        return numbers.isEmpty() ? null : String.join(" ", numbers);
     }
 
     @Override
@@ -255,15 +250,7 @@ final class GuestGameImport implements RecordingImport, ImportedMatch.Frames {
             answer.clear();
             answer.setNanos(TimeUnit.MILLISECONDS.toNanos(playing[heard]));
             answer.setStderr(frames.text(heard, "stderr"));
-            List<String> said = lines(heard);
-            if (said.size() < answerLines) {
-                answer.setFault(said.isEmpty() ? ViewWriter.NO_ANSWER
-                    : "answered " + said.size() + " of " + answerLines + " lines in the recording");
-                return Ending.FAULT;
-            }
-            byte[] bytes = String.join("\n", said.subList(0, answerLines)).getBytes(StandardCharsets.UTF_8);
-            answer.append(bytes, 0, bytes.length);
-            return Ending.ANSWERED;
+            return RecordedPlayer.say(lines(heard), answerLines, answer);
         }
     }
 }

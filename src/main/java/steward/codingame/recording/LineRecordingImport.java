@@ -116,9 +116,7 @@ record LineRecordingImport(List<String> sent, List<String> answers, GameSetup se
                 throw new ImportedMatch.RecordingEnds();
             }
             answer.clear();
-            byte[] bytes = answers.get(answered++).getBytes(StandardCharsets.UTF_8);
-            answer.append(bytes, 0, bytes.length);
-            return Ending.ANSWERED;
+            return RecordedPlayer.say(List.of(answers.get(answered++)), 1, answer);
         }
     }
 }

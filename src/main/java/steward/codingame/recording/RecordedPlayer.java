@@ -35,15 +35,18 @@ final class RecordedPlayer implements Player {
         answer.clear();
         List<String> said = turn < turns.size() ? turns.get(turn) : List.of();
         turn++;
-        if (said != null && said.size() < answerLines) {
+        return say(said == null ? view.idle(new String(frame, 0, length, StandardCharsets.UTF_8), answerLines) : said,
+            answerLines, answer);
+    }
+
+    /** Answers with the first of the lines that were recorded; fails if there are too few. */
+    static Ending say(List<String> said, int answerLines, Answer answer) {
+        if (said.size() < answerLines) {
             answer.setFault(said.isEmpty() ? ViewWriter.NO_ANSWER
                 : "answered " + said.size() + " of " + answerLines + " lines in the recording");
             return Ending.FAULT;
         }
-        List<String> lines = said == null ? view.idle(new String(frame, 0, length, StandardCharsets.UTF_8),
-            answerLines)
-            : said.subList(0, answerLines);
-        byte[] bytes = String.join("\n", lines).getBytes(StandardCharsets.UTF_8);
+        byte[] bytes = String.join("\n", said.subList(0, answerLines)).getBytes(StandardCharsets.UTF_8);
         answer.append(bytes, 0, bytes.length);
         return Ending.ANSWERED;
     }

@@ -42,17 +42,9 @@ public interface RecordingImport {
      * @param json   the text
      * @param source its name, for errors
      * @param types  the games that are known
+     * @param rules  edition of the rules by which a pod race was played; {@code null} for those of today
      * @throws IllegalArgumentException     if it is no recording of a game that is known; says where
      * @throws steward.scene.json.SceneException if its map is none that can be played on
-     */
-    static RecordingImport of(String json, String source, GameTypes types) {
-        return of(json, source, types, null);
-    }
-
-    /**
-     * As above.
-     *
-     * @param rules edition of the rules by which a pod race was played; {@code null} for those of today
      */
     static RecordingImport of(String json, String source, GameTypes types, RulesEdition rules) {
         JsonNode read = null;

@@ -66,7 +66,8 @@ final class ServerGameImport implements RecordingImport, ImportedMatch.Frames {
         return new IllegalArgumentException(source + ": found another game, expected a pod race where rules are named");
     }
 
-    private static String words(Stream<String> numbers) {
+    /** Numbers in one text; {@code null} if there are none. */
+    static String words(Stream<String> numbers) {
         String words = numbers.collect(Collectors.joining(" "));
         return words.isEmpty() ? null : words;
     }

@@ -1,13 +1,10 @@
 package steward.league.play;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.nio.file.attribute.BasicFileAttributes;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import steward.bot.command.Program;
 import steward.contest.ProgramWatch;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
@@ -39,18 +36,8 @@ final class RosterWatch {
         this.folder = folder;
         this.reader = reader;
         this.teller = teller;
-        seen = stamp();
+        seen = Program.stamp(folder.settings());
         programs = RosterReader.watch(settings, this::tell);
-    }
-
-    private String stamp() {
-        Path file = folder.settings();
-        try {
-            return Files.size(file) + " " + Files.getLastModifiedTime(file).toInstant() + " "
-                + Files.readAttributes(file, BasicFileAttributes.class).fileKey();
-        } catch (IOException gone) {
-            return "none";
-        }
     }
 
     /** True if the file of a bot is being changed or cannot be used: no game is to be begun then. */
@@ -82,7 +69,7 @@ final class RosterWatch {
         looked = System.nanoTime();
         ProgramWatch.State state = programs.look();
         boolean changed = state != ProgramWatch.State.SAME || isChanged(roster.members());
-        String now = stamp();
+        String now = Program.stamp(folder.settings());
         boolean edited = !now.equals(seen);
         if (!edited && !changed) {
             paused = false;

@@ -47,30 +47,28 @@ public final class GameLine {
 
     /** The fields of a game, in the order of {@link #GAME}; absent ones are empty. */
     public static Map<String, String> game(StoredGame game, Season season) {
-        Map<String, String> fields = new LinkedHashMap<>();
-        List<String> values = List.of(HexFormat.of().formatHex(game.name()), season.sceneKey(), season.limits(),
+        return fields(GAME, List.of(HexFormat.of().formatHex(game.name()), season.sceneKey(), season.limits(),
             season.rules(), game.decision() < 0 ? "" : Integer.toString(game.decision()), Long.toString(game.seed()),
             Integer.toString(game.attempt()), Boolean.toString(game.counts()), Integer.toString(game.turns()),
             game.problem() == null ? "" : game.problem(), Long.toString(game.played()), game.machine(),
-            game.transcript() == 0 ? "" : StateHash.toHex(game.transcript()));
-        for (int k = 0; k < GAME.size(); k++) {
-            fields.put(GAME.get(k), values.get(k));
+            game.transcript() == 0 ? "" : StateHash.toHex(game.transcript())));
+    }
+
+    private static Map<String, String> fields(List<String> names, List<String> values) {
+        Map<String, String> fields = new LinkedHashMap<>();
+        for (int k = 0; k < names.size(); k++) {
+            fields.put(names.get(k), values.get(k));
         }
         return fields;
     }
 
     /** The fields of a seat, in the order of {@link #SEAT}. */
     public static Map<String, String> seat(StoredSeat seat, Version version) {
-        Map<String, String> fields = new LinkedHashMap<>();
-        List<String> values = List.of(version.bot(), Integer.toString(version.number()), version.identity(),
+        return fields(SEAT, List.of(version.bot(), Integer.toString(version.number()), version.identity(),
             version.command(), Boolean.toString(version.random()), Integer.toString(seat.rank()),
             Double.toString(seat.score()), seat.fault() == null ? "" : seat.fault(), Integer.toString(seat.answers()),
             Long.toString(seat.meanNanos()), Long.toString(seat.worstNanos()), Long.toString(seat.firstNanos()),
-            seat.valuesText(), version.timeLimit() == null ? "" : version.timeLimit());
-        for (int k = 0; k < SEAT.size(); k++) {
-            fields.put(SEAT.get(k), values.get(k));
-        }
-        return fields;
+            seat.valuesText(), version.timeLimit() == null ? "" : version.timeLimit()));
     }
 
     /**

@@ -1,8 +1,6 @@
 package steward.machines.check;
 
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import steward.bot.FaultMessages;
 import steward.bot.Player;
@@ -23,11 +21,6 @@ public final class AnswerCheck {
 
     /** How long a bot may take for a whole game that it has played within its limits before, in seconds. */
     private static final long PATIENCE_S = 600;
-    private static final ScheduledExecutorService CLOCK = Executors.newSingleThreadScheduledExecutor(work -> {
-        Thread thread = new Thread(work, "answers asked again");
-        thread.setDaemon(true);
-        return thread;
-    });
 
     private final Contest contest;
     private final GameTypes types;
@@ -58,7 +51,8 @@ public final class AnswerCheck {
         Player bot = contest.player(entrant);
         Otherwise[] found = {null};
         Resimulation again = again(match);
-        ScheduledFuture<?> end = CLOCK.schedule(bot::close, PATIENCE_S, TimeUnit.SECONDS);
+        CompletableFuture<Void> end = CompletableFuture.runAsync(bot::close,
+            CompletableFuture.delayedExecutor(PATIENCE_S, TimeUnit.SECONDS));
         try {
             new Feed(match, again, player, entrant.protocol(), bot).run(lastRepeatable(match, player),
                 turn -> { }, turn -> found[0] = found[0] == null ? difference(turn) : found[0]);

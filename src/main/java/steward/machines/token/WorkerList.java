@@ -1,10 +1,8 @@
 package steward.machines.token;
 
-import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.BasicFileAttributes;
 import java.security.MessageDigest;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -15,6 +13,7 @@ import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import steward.bot.command.Program;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.scene.json.Block;
@@ -102,12 +101,7 @@ public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
 
     /** Returns a stamp that changes when the file does. */
     public static String stamp(LeagueFolder folder) {
-        try {
-            return Files.getLastModifiedTime(file(folder)).toInstant() + " " + Files.size(file(folder)) + " "
-                + Files.readAttributes(file(folder), BasicFileAttributes.class).fileKey();
-        } catch (IOException none) {
-            return "none";
-        }
+        return Program.stamp(file(folder));
     }
 
     private WorkerList write(LeagueFolder folder) {

@@ -142,21 +142,19 @@ class FeedCommandTest {
     void waitingIsToldOnATerminal() throws InterruptedException {
         ByteArrayOutputStream terminal = new ByteArrayOutputStream();
         PrintStream printed = new PrintStream(terminal, true, StandardCharsets.UTF_8);
-        try (WaitingNotice notice = new WaitingNotice(printed, "json", 50)) {
-            notice.asked(1);
-            notice.answered();
-            notice.asked(2);
-            while (terminal.size() == 0) {
-                Thread.sleep(10);
-            }
-            notice.answered();
+        WaitingNotice notice = new WaitingNotice(printed, "json", 50);
+        notice.asked(1);
+        notice.answered();
+        notice.asked(2);
+        while (terminal.size() == 0) {
+            Thread.sleep(10);
         }
+        notice.answered();
         assertEquals("waiting for the bot's answer to turn 2 (it is sent json)\n",
             terminal.toString(StandardCharsets.UTF_8));
-        try (WaitingNotice nowhere = new WaitingNotice(null, "json", 0)) {
-            nowhere.asked(1);
-            nowhere.answered();
-        }
+        WaitingNotice nowhere = new WaitingNotice(null, "json", 0);
+        nowhere.asked(1);
+        nowhere.answered();
     }
 
     @Test

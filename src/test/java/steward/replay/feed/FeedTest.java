@@ -157,7 +157,7 @@ class FeedTest {
     @Test
     void anImportedMatchIsFedInEitherProtocol() throws InterruptedException {
         ByteArrayOutputStream replay = new ByteArrayOutputStream();
-        RecordingImport.of(OfficialGame.play(12).json(), "game.json", TestScenes.TYPES).write(replay);
+        RecordingImport.of(OfficialGame.play(12).json(), "game.json", TestScenes.TYPES, null).write(replay);
         feed(replay.toByteArray(), 1, new SeededBot(13, 0.2), Integer.MAX_VALUE);
         assertTrue(fed.size() > 50, () -> fed.size() + " turns");
         assertEquals(List.of(), differing());

@@ -20,7 +20,7 @@ class ImportedPageTest extends PageTestCase {
     @Test
     void everyTurnIsShownWithoutComplaint() throws InterruptedException {
         ByteArrayOutputStream replay = new ByteArrayOutputStream();
-        RecordingImport.of(OfficialGame.play(12).sketch(TURNS), "game.json", TestScenes.TYPES).write(replay);
+        RecordingImport.of(OfficialGame.play(12).sketch(TURNS), "game.json", TestScenes.TYPES, null).write(replay);
         Path page = pages.page(replay.toByteArray(), "Imported");
         browser.open(page, "#turn=1");
         browser.draw(0, TURNS, 0.5);
@@ -33,7 +33,7 @@ class ImportedPageTest extends PageTestCase {
         ByteArrayOutputStream replay = new ByteArrayOutputStream();
         String json = OfficialGame.play(12).json();
         String frame = "\"view\":\" 20\\n";
-        RecordingImport.of(json.replace(frame, frame + "1"), "game.json", TestScenes.TYPES).write(replay);
+        RecordingImport.of(json.replace(frame, frame + "1"), "game.json", TestScenes.TYPES, null).write(replay);
         Path page = pages.page(replay.toByteArray(), "Imported", PageExtras.of(TestScenes.TYPES));
         browser.open(page, "#turn=9");
         browser.seek(9, 1);
@@ -49,7 +49,7 @@ class ImportedPageTest extends PageTestCase {
     @Tag("campaign")
     void aGameWithViewsOfItsOwnIsShownWithoutComplaint() throws InterruptedException {
         ByteArrayOutputStream replay = new ByteArrayOutputStream();
-        RecordingImport.of(ServerMeanMax.play(5, TURNS).json(), "game.json", TestScenes.TYPES).write(replay);
+        RecordingImport.of(ServerMeanMax.play(5, TURNS).json(), "game.json", TestScenes.TYPES, null).write(replay);
         Path page = pages.page(replay.toByteArray(), "Imported");
         browser.open(page, "#turn=1");
         browser.draw(0, TURNS, 0.75);
