@@ -35,11 +35,6 @@ public final class ViewLines {
         return "\"" + TextFormat.beginning(text, SHOWN) + "\"";
     }
 
-    /** Returns the number of lines; blank ones at the end do not count. */
-    public int count() {
-        return lines.length;
-    }
-
     /** The name of the file. */
     public String source() {
         return source;

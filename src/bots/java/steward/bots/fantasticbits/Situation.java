@@ -18,17 +18,8 @@ final class Situation {
 
     /** The own two wizards, by id. */
     List<Entity> own() {
-        return wizards(true);
-    }
-
-    /** The wizards of the other. */
-    List<Entity> rivals() {
-        return wizards(false);
-    }
-
-    private List<Entity> wizards(boolean own) {
         List<Entity> wizards = of("wizard");
-        wizards.removeIf(wizard -> wizard.player == player != own);
+        wizards.removeIf(wizard -> wizard.player != player);
         return wizards;
     }
 

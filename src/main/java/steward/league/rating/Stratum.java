@@ -109,17 +109,6 @@ public final class Stratum {
         }
     }
 
-    public long clusters() {
-        return clusters;
-    }
-
-    /** Takes all clusters away; the patterns stay. */
-    public void clear() {
-        Arrays.fill(counts, 0);
-        Arrays.fill(sums, 0);
-        clusters = 0;
-    }
-
     /** Is shown pairs. */
     interface PairVisitor {
         /**

@@ -147,9 +147,4 @@ public record StoppedRange(double low, double elo, double high, double scoreLow,
         }
         return (low + high) / 2;
     }
-
-    /** True if nothing is known on one side. */
-    public boolean isOpen() {
-        return Double.isInfinite(low) || Double.isInfinite(high);
-    }
 }
