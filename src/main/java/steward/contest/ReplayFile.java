@@ -97,7 +97,7 @@ public final class ReplayFile extends WriteBehind {
      */
     boolean moveTo(Path other) throws IOException {
         if (isOurs()) {
-            Files.move(path, other, StandardCopyOption.REPLACE_EXISTING);
+            Files.move(path, other, StandardCopyOption.ATOMIC_MOVE);
             return true;
         }
         return false;

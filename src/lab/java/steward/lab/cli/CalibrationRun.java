@@ -120,7 +120,7 @@ final class CalibrationRun {
         try {
             Files.writeString(unfinished, calibration.text(figures, date, Machine.line()));
             if (!place.equals(unfinished)) {
-                Files.move(unfinished, place, StandardCopyOption.REPLACE_EXISTING);
+                Files.move(unfinished, place, StandardCopyOption.ATOMIC_MOVE);
             }
         } catch (IOException problem) {
             throw new FailedException(place + ": cannot be written: " + problem.getMessage());

@@ -169,7 +169,7 @@ final class MatchDisplay implements AutoCloseable {
         try {
             pageFile.close();
             if (part != page) {
-                Files.move(part, page, StandardCopyOption.REPLACE_EXISTING);
+                Files.move(part, page, StandardCopyOption.ATOMIC_MOVE);
             }
         } catch (IOException problem) {
             throw new FailedException(page + ": cannot be written: " + problem.getMessage());

@@ -262,7 +262,7 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
             return (status.isPresent() ? COMPILER + ": " + firstError(text, source)
                 : "the compiler did not end within " + TimeUnit.MILLISECONDS.toSeconds(limitMs) + " s") + "\n" + text;
         }
-        Files.move(part, made, StandardCopyOption.REPLACE_EXISTING);
+        Files.move(part, made, StandardCopyOption.ATOMIC_MOVE);
         Files.copy(source, known, StandardCopyOption.REPLACE_EXISTING);
         return null;
     }

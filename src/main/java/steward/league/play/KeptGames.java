@@ -89,7 +89,7 @@ public record KeptGames(LeagueFolder folder) implements GamePlay.Recordings {
         try {
             Files.createDirectories(file.getParent());
             Files.write(part, replay);
-            Files.move(part, file, StandardCopyOption.REPLACE_EXISTING);
+            Files.move(part, file, StandardCopyOption.ATOMIC_MOVE);
         } catch (IOException problem) {
             remove(part);
             throw problem;
