@@ -15,16 +15,15 @@ import steward.cli.options.SandboxOptions;
 import steward.cli.options.SceneOptions;
 import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.FailureJson;
-import steward.cli.shared.FailureText;
+import steward.cli.shared.FailureReason;
 import steward.cli.shared.Games;
 import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.files.InputException;
 import steward.game.GameSetup;
-import steward.json.JsonObject;
 import steward.match.Protocol;
+import steward.report.Fields;
 import steward.text.TextFormat;
 
 /** {@code steward check}: checks whether a bot is ready to play. */
@@ -97,23 +96,14 @@ public final class CheckCommand extends ProgramCommand {
         Contest.checkPlayable(empty.setup(), List.of(entrant));
         BotCheck check = BotCheck.of(empty, entrant);
         if (json) {
-            printJson(streams, check);
+            Json.print(streams, Fields.of("bot", check.bot().name(), "scene", check.contest().sceneName(),
+                "passes", check.passes(), "steps", check.steps(), "problems", check.problems(),
+                "fault", check.failure() == null ? null : check.failure().reason(),
+                "failure", FailureReason.fields(check.failure())));
         } else {
             print(streams.out(), check);
         }
         return check.passes() ? ExitStatus.DONE : ExitStatus.FAILED;
-    }
-
-    private static void printJson(Streams streams, BotCheck check) {
-        Json.print(streams, out -> {
-            out.writeStringProperty("bot", check.bot().name());
-            out.writeStringProperty("scene", check.contest().sceneName());
-            out.writeBooleanProperty("passes", check.passes());
-            JsonObject.writeTexts(out, "steps", check.steps());
-            JsonObject.writeTexts(out, "problems", check.problems());
-            out.writeStringProperty("fault", check.failure() == null ? null : check.failure().reason());
-            FailureJson.writeField(out, check.failure());
-        });
     }
 
     /** All that the check found, in some ten lines. */
@@ -123,7 +113,7 @@ public final class CheckCommand extends ProgramCommand {
         check.problems().forEach(problem -> out.println(TextFormat.wrap(TextFormat.plain(problem) + ".", " ", WIDTH,
             "")));
         if (check.failure() != null && !check.failure().stderr().isEmpty()) {
-            FailureText.print(out, check.failure(), "  ");
+            FailureReason.print(out, check.failure(), "  ");
         }
         if (check.passes()) {
             out.println("It is ready.");

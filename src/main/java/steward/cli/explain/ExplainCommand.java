@@ -3,7 +3,6 @@ package steward.cli.explain;
 import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -17,14 +16,13 @@ import steward.cli.shared.Games;
 import steward.cli.streams.Colour;
 import steward.cli.streams.Json;
 import steward.game.GameSetup;
-import steward.json.JsonObject;
 import steward.physics.Arithmetic;
+import steward.report.Fields;
 import steward.scene.Accuracy;
 import steward.scene.AccuracyChoice;
 import steward.scene.PlanTable;
 import steward.scene.Scene;
 import steward.text.TextFormat;
-import tools.jackson.core.JsonGenerator;
 
 /** {@code steward explain}: prints what a scene contains and which parts of the engine it needs. */
 @Command(name = "explain", description = "Prints the contents of a scene, and which parts of the engine it needs "
@@ -49,7 +47,7 @@ public final class ExplainCommand extends ProgramCommand {
     public Integer call() {
         GameSetup setup = Games.computed(accuracy.open(scene, streams), "explain");
         if (json) {
-            Json.print(streams, out -> write(out, setup));
+            Json.print(streams, fields(setup));
             return ExitStatus.DONE;
         }
         PrintStream out = streams.out();
@@ -77,26 +75,14 @@ public final class ExplainCommand extends ProgramCommand {
         return ExitStatus.DONE;
     }
 
-    private static void write(JsonGenerator out, GameSetup setup) {
-        out.writeStringProperty("scene", setup.scene().name());
-        out.writeStringProperty("game", setup.scene().gameId());
-        out.writeNumberProperty("players", setup.scene().players());
-        JsonObject.writeAll(out, "parts", setup.plan().parts(), part -> {
-            out.writeStringProperty("name", part.name());
-            out.writeBooleanProperty("in", part.in());
-            out.writeStringProperty("why", part.why());
-            out.writeStringProperty("when", part.when().name().toLowerCase(Locale.ROOT));
-        });
+    private static Fields fields(GameSetup setup) {
         AccuracyChoice choice = setup.plan().accuracy();
-        out.writeObjectPropertyStart("accuracy");
-        out.writeStringProperty("rung", choice.rung().text());
-        out.writeBooleanProperty("stated", choice.stated());
-        out.writeStringProperty("why", choice.why());
-        if (!choice.met().isEmpty()) {
-            JsonObject.writeTexts(out, "met", choice.met());
-        }
-        out.writeEndObject();
-        JsonObject.writeTexts(out, "warnings", setup.check());
+        Fields accuracy = Fields.of("rung", choice.rung().text(), "stated", choice.stated(), "why", choice.why());
+        return Fields.of("scene", setup.scene().name(), "game", setup.scene().gameId(),
+            "players", setup.scene().players(), "parts", Fields.each(setup.plan().parts(), part -> Fields.of(
+                "name", part.name(), "in", part.in(), "why", part.why(), "when", part.when())),
+            "accuracy", choice.met().isEmpty() ? accuracy : accuracy.with("met", choice.met()),
+            "warnings", setup.check());
     }
 
     private static void warnings(PrintStream out, Colour colour, List<String> warnings) {

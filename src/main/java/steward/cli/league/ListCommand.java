@@ -12,12 +12,12 @@ import steward.cli.league.view.LeagueArgument;
 import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Json;
-import steward.json.JsonObject;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
 import steward.league.store.GameStore;
 import steward.match.OwnLimits;
+import steward.report.Fields;
 import steward.text.TextFormat;
 
 /** {@code steward league list}: lists the bots and their versions. */
@@ -66,33 +66,21 @@ final class ListCommand extends ProgramCommand {
             List<GameStore.Version> versions = store == null ? List.of() : store.versions();
             Set<String> names = new LinkedHashSet<>(settings.bots().stream().map(LeagueBot::name).toList());
             versions.forEach(version -> names.add(version.bot()));
-            Json.print(streams, out -> {
-                out.writeStringProperty("scene", settings.scene());
-                out.writeStringProperty("pairing", settings.pairing().toString());
-                JsonObject.writeAll(out, "bots", names, name -> {
+            Json.print(streams, Fields.of("scene", settings.scene(), "pairing", settings.pairing(),
+                "bots", Fields.each(names, name -> {
                     Optional<LeagueBot> bot = settings.bot(name);
                     List<GameStore.Version> own = versions.stream().filter(each -> each.bot().equals(name)).toList();
-                    out.writeStringProperty("name", name);
-                    out.writeStringProperty("command", bot.map(LeagueBot::command)
-                        .orElseGet(() -> own.get(own.size() - 1).command()));
-                    out.writeBooleanProperty("listed", bot.isPresent());
-                    out.writeBooleanProperty("retired", bot.map(LeagueBot::retired).orElse(false));
-                    out.writeBooleanProperty("random", bot.map(LeagueBot::random).orElse(false));
-                    out.writeStringProperty(OwnLimits.FIELD, bot.map(LeagueBot::limits).map(OwnLimits::written)
-                        .orElse(null));
-                    JsonObject.writeAll(out, "platforms", bot.map(LeagueBot::platforms).orElse(List.of()), each -> {
-                        out.writeStringProperty("platform", each.platform());
-                        out.writeStringProperty("command", each.command());
-                    });
-                    JsonObject.writeAll(out, "versions", own, version -> {
-                        out.writeStringProperty("name", version.display());
-                        out.writeNumberProperty("games", store.gamesOf(version.id()));
-                        out.writeStringProperty("program", version.identity());
-                        out.writeStringProperty(OwnLimits.FIELD, version.timeLimit());
-                        out.writeBooleanProperty("paused", version.paused());
-                    });
-                });
-            });
+                    return Fields.of("name", name, "command", bot.map(LeagueBot::command)
+                        .orElseGet(() -> own.get(own.size() - 1).command()), "listed", bot.isPresent(),
+                        "retired", bot.map(LeagueBot::retired).orElse(false),
+                        "random", bot.map(LeagueBot::random).orElse(false),
+                        OwnLimits.FIELD, bot.map(LeagueBot::limits).map(OwnLimits::written).orElse(null),
+                        "platforms", Fields.each(bot.map(LeagueBot::platforms).orElse(List.of()), each -> Fields.of(
+                            "platform", each.platform(), "command", each.command())),
+                        "versions", Fields.each(own, version -> Fields.of("name", version.display(),
+                            "games", store.gamesOf(version.id()), "program", version.identity(),
+                            OwnLimits.FIELD, version.timeLimit(), "paused", version.paused())));
+                })));
         }
     }
 

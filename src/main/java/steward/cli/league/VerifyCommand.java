@@ -12,11 +12,11 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Json;
 import steward.files.InputException;
 import steward.files.OutputFiles;
-import steward.json.JsonObject;
 import steward.league.FolderLock;
 import steward.league.LeagueFolder;
 import steward.league.store.BadRow;
 import steward.league.store.GameStore;
+import steward.report.Fields;
 import steward.text.TextFormat;
 
 /** {@code steward league verify}: finds rows of the database that cannot be used. */
@@ -96,27 +96,11 @@ final class VerifyCommand extends ProgramCommand {
     }
 
     private void print(GameStore store, String whole, List<BadRow> rows, Dropped dropped) {
-        Json.print(streams, out -> {
-            out.writeStringProperty("integrity", whole);
-            out.writeNumberProperty("games", store.games());
-            JsonObject.writeAll(out, "rows", rows.subList(0, Math.min(LISTED, rows.size())), row -> {
-                out.writeStringProperty("table", row.table());
-                out.writeStringProperty("key", row.key());
-                out.writeStringProperty("column", row.column());
-                out.writeStringProperty("value", row.value());
-                out.writeStringProperty("expected", row.expected());
-            });
-            out.writeBooleanProperty("more", rows.size() > LISTED);
-            if (dropped == null) {
-                out.writeNullProperty("setAside");
-                return;
-            }
-            out.writeObjectPropertyStart("setAside");
-            out.writeNumberProperty("rows", dropped.rows);
-            out.writeNumberProperty("games", dropped.games);
-            out.writeStringProperty("copy", dropped.copy.toString());
-            out.writeEndObject();
-        });
+        Json.print(streams, Fields.of("integrity", whole, "games", store.games(),
+            "rows", Fields.each(rows.subList(0, Math.min(LISTED, rows.size())), row -> Fields.of("table", row.table(),
+                "key", row.key(), "column", row.column(), "value", row.value(), "expected", row.expected())),
+            "more", rows.size() > LISTED, "setAside", dropped == null ? null : Fields.of("rows", dropped.rows,
+                "games", dropped.games, "copy", dropped.copy)));
     }
 
     /** Rows set aside, the games that needed them, and the database as it was. */

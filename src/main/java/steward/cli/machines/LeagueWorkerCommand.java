@@ -16,7 +16,6 @@ import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Json;
 import steward.files.InputException;
 import steward.files.OutputFiles;
-import steward.json.JsonObject;
 import steward.league.LeagueFolder;
 import steward.league.store.AsideGames;
 import steward.league.store.GameStore;
@@ -24,6 +23,7 @@ import steward.machines.check.WorkerBook;
 import steward.machines.token.BrokerKey;
 import steward.machines.token.Invitation;
 import steward.machines.token.WorkerList;
+import steward.report.Fields;
 import steward.text.TextFormat;
 
 /** {@code steward league worker}: manages which machines may play for a league. */
@@ -167,22 +167,12 @@ public final class LeagueWorkerCommand extends ProgramCommand {
     private void list(WorkerList list, LeagueFolder league) {
         Map<String, List<String>> doubts = doubts(list, league);
         if (json) {
-            Json.print(streams, out -> {
-                JsonObject.writeAll(out, "workers", list.workers(), worker -> {
-                    out.writeStringProperty("name", worker.name());
-                    out.writeStringProperty("invitation", worker.invited());
-                    out.writeStringProperty("revoked", worker.revoked());
-                    out.writeBooleanProperty("suspended", worker.doubt() != null);
-                    JsonObject.writeTexts(out, "doubts", doubts.getOrDefault(worker.name(), List.of()));
-                });
-                JsonObject.writeAll(out, "invitations", list.invitations(), each -> {
-                    out.writeStringProperty("name", each.name());
-                    out.writeStringProperty("until", each.until().toString());
-                    out.writeNumberProperty("used", list.used(each));
-                    out.writeNumberProperty("count", each.count());
-                    out.writeBooleanProperty("revoked", each.revoked());
-                });
-            });
+            Json.print(streams, Fields.of("workers", Fields.each(list.workers(), worker -> Fields.of(
+                "name", worker.name(), "invitation", worker.invited(), "revoked", worker.revoked(),
+                "suspended", worker.doubt() != null, "doubts", doubts.getOrDefault(worker.name(), List.of()))),
+                "invitations", Fields.each(list.invitations(), each -> Fields.of("name", each.name(),
+                    "until", each.until(), "used", list.used(each), "count", each.count(),
+                    "revoked", each.revoked()))));
             return;
         }
         list.workers().forEach(worker -> {

@@ -6,14 +6,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import steward.cli.shared.FailureJson;
-import steward.cli.shared.FailureText;
+import steward.cli.shared.FailureReason;
 import steward.cli.streams.Colour;
 import steward.contest.Contest;
 import steward.contest.FailureKind;
-import steward.json.JsonObject;
+import steward.report.Fields;
 import steward.text.TextFormat;
-import tools.jackson.core.JsonGenerator;
 
 /** Report on failures of bots in many games, for people and for programs. */
 public final class FailureReport {
@@ -37,7 +35,7 @@ public final class FailureReport {
                 + (all.size() == 1 ? ", game " : ", first in game ") + kind.game().number() + " (seed "
                 + kind.game().seed() + ") in turn " + kind.first().turn() + ": "
                 + kind.first().reason()));
-            FailureText.print(out, kind.first(), "  ");
+            FailureReason.print(out, kind.first(), "  ");
             if (kind.game().replay() != null) {
                 out.println(TextFormat.plain("  replay: " + kind.game().replay()));
             }
@@ -68,15 +66,9 @@ public final class FailureReport {
     }
 
     /** The field {@code failures}: an array with an object for each kind. */
-    public static void json(JsonGenerator out, List<FailureKind> kinds) {
-        JsonObject.writeAll(out, "failures", kinds, kind -> {
-            out.writeNumberProperty("bot", kind.entrant());
-            out.writeNumberProperty("games", kind.occurrences().size());
-            out.writeNumberProperty("game", kind.game().number());
-            out.writeStringProperty("seed", Long.toString(kind.game().seed()));
-            out.writeStringProperty("fault", kind.first().reason());
-            FailureJson.write(out, kind.first());
-            out.writeStringProperty("replay", kind.game().replay() == null ? null : kind.game().replay().toString());
-        });
+    public static Iterable<Object> json(List<FailureKind> kinds) {
+        return Fields.each(kinds, kind -> Fields.of("bot", kind.entrant(), "games", kind.occurrences().size(),
+            "game", kind.game().number(), "seed", Long.toString(kind.game().seed()), "fault", kind.first().reason())
+            .and(FailureReason.fields(kind.first())).with("replay", kind.game().replay()));
     }
 }

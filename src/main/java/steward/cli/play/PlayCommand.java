@@ -15,8 +15,9 @@ import steward.cli.options.SceneOptions;
 import steward.cli.options.SeedOption;
 import steward.cli.options.TimeLimitOptions;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.FailureText;
+import steward.cli.shared.FailureReason;
 import steward.cli.shared.Games;
+import steward.cli.streams.Json;
 import steward.codingame.LeagueAttributes;
 import steward.codingame.RatingToolJson;
 import steward.contest.Contest;
@@ -98,8 +99,8 @@ public final class PlayCommand extends ProgramCommand {
         RefereeGame.tell(streams, game);
         RefereeGame.tell(streams, contest, game.failures(), player -> contest.entrants().get(player).name());
         String[] faults = game.result().players().stream().map(MatchResult.PlayerResult::fault).toArray(String[]::new);
-        game.failures().forEach(failure -> faults[failure.player()] += FailureText.said(failure));
-        MatchJson.printObject(streams, json -> {
+        game.failures().forEach(failure -> faults[failure.player()] += FailureReason.said(failure));
+        Json.print(streams, json -> {
             RatingToolJson.write(json, used, game.result(), faults, game.follower());
             JsonObject.writeTexts(json, "played_again", game.again());
         });

@@ -29,7 +29,6 @@ import steward.files.Remedied;
 import steward.game.GameSetup;
 import steward.game.GameTypes;
 import steward.guest.GuestType;
-import steward.json.JsonObject;
 import steward.match.GuestSetup;
 import steward.match.MatchResult;
 import steward.match.Protocol;
@@ -38,9 +37,9 @@ import steward.replay.RecordedMatch;
 import steward.replay.ReplayException;
 import steward.replay.ReplayReader;
 import steward.replay.feed.Rematch;
+import steward.report.Fields;
 import steward.scene.json.SceneException;
 import steward.text.TextFormat;
-import tools.jackson.core.JsonGenerator;
 
 /**
  * Recorded games played again with a bot in the place of a player, and the table of what became of each.
@@ -105,6 +104,14 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
             int rank = result.players().get(seat).rank();
             boolean shared = result.players().stream().filter(player -> player.rank() == rank).count() > 1;
             return rank > 0 ? 0 : shared ? 0.5 : 1;
+        }
+
+        Fields fields() {
+            Fields fields = Fields.of("replay", name);
+            return (outcome == null ? fields.with("outcome", "notPlayed", "reason", problem)
+                : fields.with("outcome", outcome.ending(), "turn", outcome.turn(), "reason", outcome.reason()))
+                .with("points", Fields.decimal(points()), "recorded", Fields.decimal(recorded()),
+                    "score", Fields.decimal(score(false)), "recordedScore", Fields.decimal(score(true)));
         }
 
         boolean is(Rematch.Ending ending) {
@@ -233,27 +240,12 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
 
     private void tell(String name, List<Row> rows) {
         if (report == Verbosity.JSON) {
-            Json.print(streams, object -> {
-                object.writeStringProperty("bot", name);
-                object.writeStringProperty("as", as);
-                for (Rematch.Ending ending : Rematch.Ending.values()) {
-                    object.writeNumberProperty(ending.name().toLowerCase(Locale.ROOT), of(rows, ending).size());
-                }
-                object.writeNumberProperty("notPlayed", rows.stream().filter(row -> row.outcome == null).count());
-                JsonObject.writeAll(object, "games", rows, row -> {
-                    object.writeStringProperty("replay", row.name);
-                    object.writeStringProperty("outcome", row.outcome == null ? "notPlayed"
-                        : row.outcome.ending().name().toLowerCase(Locale.ROOT));
-                    if (row.outcome != null) {
-                        object.writeNumberProperty("turn", row.outcome.turn());
-                    }
-                    object.writeStringProperty("reason", row.outcome == null ? row.problem : row.outcome.reason());
-                    write(object, "points", row.points());
-                    write(object, "recorded", row.recorded());
-                    write(object, "score", row.score(false));
-                    write(object, "recordedScore", row.score(true));
-                });
-            });
+            Fields fields = Fields.of("bot", name, "as", as);
+            for (Rematch.Ending ending : Rematch.Ending.values()) {
+                fields.with(ending.name().toLowerCase(Locale.ROOT), of(rows, ending).size());
+            }
+            Json.print(streams, fields.with("notPlayed", rows.stream().filter(row -> row.outcome == null).count(),
+                "games", Fields.each(rows, Row::fields)));
             return;
         }
         streams.out().println(TextFormat.plain(TextFormat.count(rows.size(), "recorded game") + ", " + name
@@ -273,14 +265,6 @@ record RecordedRun(Streams streams, String bot, Path folder, Protocol usual, Str
         long without = rows.stream().filter(row -> row.outcome == null).count();
         if (without > 0) {
             streams.out().println("not played " + without);
-        }
-    }
-
-    private static void write(JsonGenerator object, String name, Double value) {
-        if (value == null) {
-            object.writeNullProperty(name);
-        } else {
-            object.writeNumberProperty(name, value);
         }
     }
 

@@ -11,7 +11,7 @@ import java.util.function.IntFunction;
 import steward.cli.options.SeedOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
-import steward.cli.shared.FailureText;
+import steward.cli.shared.FailureReason;
 import steward.cli.shared.Pages;
 import steward.cli.streams.Streams;
 import steward.codingame.GameResultLog;
@@ -84,7 +84,7 @@ record RefereeGame(Streams streams, Contest contest, Path log, Path replay, bool
         failures.stream().filter(each -> contest.entrants().get(each.player()).problem() == null).forEach(failure -> {
             streams.warn(names.apply(failure.player()) + " has failed in turn " + failure.turn() + ": "
                 + failure.reason());
-            FailureText.print(streams.err(), failure, "  ");
+            FailureReason.print(streams.err(), failure, "  ");
         });
     }
 

@@ -27,6 +27,7 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
 import steward.match.MatchResult;
+import steward.report.Fields;
 
 /** {@code steward run}: runs a scene without players. */
 @Command(name = "run", description = "Plays a scene without players, such as one of bodies, and prints energy, "
@@ -140,13 +141,8 @@ public final class RunCommand extends ProgramCommand {
             throw new FailedException("the scene could not be played to its end: " + problem.getMessage());
         }
         if (json) {
-            Json.print(streams, to -> {
-                to.writeStringProperty("scene", contest.sceneName());
-                to.writeNumberProperty("seed", used);
-                to.writeNumberProperty("turns", result.turns());
-                to.writeStringProperty("ending", result.ending());
-                tables.writeRows(to);
-            });
+            Json.print(streams, Fields.of("scene", contest.sceneName(), "seed", used, "turns", result.turns(),
+                "ending", result.ending(), "rows", tables.json()));
             return;
         }
         streams.out().println(contest.sceneName() + ", seed " + used + ", "

@@ -18,14 +18,12 @@ import steward.files.OutputFiles;
 import steward.game.Game;
 import steward.game.GameJson;
 import steward.game.GameSetup;
-import steward.json.JsonObject;
 import steward.match.MatchListener;
 import steward.match.Turn;
 import steward.physics.Bodies;
 import steward.physics.Forces;
 import steward.physics.TeeSink;
 import steward.physics.TurnSink;
-import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.io.NumberOutput;
 
 /**
@@ -86,8 +84,8 @@ final class RunTables implements MatchListener, AutoCloseable {
         List.of("turns.csv", "states.csv", "impacts.csv")
             .forEach(name -> OutputFiles.check(folder.resolve(name), overwrite));
         try {
-            return new RunTables(file(folder, "turns.csv", TurnRow.COLUMNS), file(folder, "states.csv", STATES),
-                file(folder, "impacts.csv", IMPACTS));
+            return new RunTables(file(folder, "turns.csv", String.join(",", TurnRow.COLUMNS.heads())),
+                file(folder, "states.csv", STATES), file(folder, "impacts.csv", IMPACTS));
         } catch (IOException problem) {
             throw new InputException(folder + ": cannot be written into: " + OutputFiles.reason(folder, problem));
         }
@@ -212,7 +210,7 @@ final class RunTables implements MatchListener, AutoCloseable {
         restOfTurn = 0;
         limitTime = Double.NaN;
         if (turns != null) {
-            turns.rows.append(rows.get(rows.size() - 1).line());
+            turns.rows.append(TurnRow.COLUMNS.csv(rows.get(rows.size() - 1), RunTables::number, false).line());
             write(false);
         }
     }
@@ -273,12 +271,12 @@ final class RunTables implements MatchListener, AutoCloseable {
         return of.stream().mapToDouble(value).average().orElse(Double.NaN);
     }
 
-    void writeRows(JsonGenerator out) {
-        JsonObject.writeAll(out, "rows", rows, row -> row.write(out));
+    Iterable<Object> json() {
+        return TurnRow.COLUMNS.json(rows);
     }
 
     /** Numbers with a comma before each, nothing behind it for NaN. */
-    static String cells(double... values) {
+    private static String cells(double... values) {
         return Arrays.stream(values).mapToObj(value -> "," + (Double.isNaN(value) ? "" : number(value)))
             .collect(Collectors.joining());
     }

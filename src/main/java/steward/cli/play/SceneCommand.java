@@ -13,7 +13,7 @@ import steward.cli.streams.Json;
 import steward.files.Resources;
 import steward.game.GameType;
 import steward.guest.GuestType;
-import steward.json.JsonObject;
+import steward.report.Fields;
 import steward.scene.Scene;
 import steward.scene.SceneFiles;
 import steward.text.TextFormat;
@@ -40,13 +40,11 @@ public final class SceneCommand extends ProgramCommand {
     public Integer call() {
         CallCheck.withHelp().that(!json || name == null && !schema, "--json: expected no NAME and no --schema with it");
         if (json) {
-            Json.print(streams, out -> JsonObject.writeAll(out, "scenes", SceneFiles.shipped(), each -> {
+            Json.print(streams, Fields.of("scenes", Fields.each(SceneFiles.shipped(), each -> {
                 Scene scene = Games.open(each).scene();
-                out.writeStringProperty("name", each);
-                out.writeStringProperty("game", scene.gameId());
-                out.writeNumberProperty("players", scene.players());
-                out.writeStringProperty("about", about(each));
-            }));
+                return Fields.of("name", each, "game", scene.gameId(), "players", scene.players(),
+                    "about", about(each));
+            })));
         } else if (schema) {
             String game = name == null ? Games.types().types().get(0).id() : name.equals(GuestType.ID) ? name
                 : Games.types().open(SceneFiles.shipped(name).text(), name).scene().gameId();

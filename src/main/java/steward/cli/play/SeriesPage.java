@@ -76,8 +76,7 @@ record SeriesPage(Path file, boolean open, boolean overwrite) {
                 .map(Contest.Entrant::name).toList()));
             page.put("policy", page.policy("'none'", " " + shell.scriptHash(), " " + shell.styleHash()));
             String data = LeaguePage.inScript(JsonObject.text(out -> {
-                SeriesJson.write(out, series, play, choosers, null);
-                out.writeStringProperty("folder", series.folder() == null ? null : series.folder().toString());
+                SeriesJson.of(series, play, choosers, null).with("folder", series.folder()).write(out);
                 replays.write(out, shell, linked);
             }));
             page.write(html, out -> out.write(data.getBytes(StandardCharsets.UTF_8)));

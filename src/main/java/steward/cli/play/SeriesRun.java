@@ -8,6 +8,7 @@ import steward.cli.options.SeedFileOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Verbosity;
 import steward.cli.streams.Interruption;
+import steward.cli.streams.Json;
 import steward.cli.streams.ProgressLine;
 import steward.cli.streams.Streams;
 import steward.contest.Losers;
@@ -118,7 +119,7 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
 
     private void tell(SeriesPlay play) {
         switch (report) {
-            case JSON -> SeriesJson.print(streams, series, play, choosers, losses(play));
+            case JSON -> Json.print(streams, SeriesJson.of(series, play, choosers, losses(play)));
             case LINE -> streams.out().println(SeriesText.headline(series, play.standings())
                 + (choosers.isEmpty() ? "" : "; " + SeedFileOption.flag(choosers)));
             default -> {

@@ -2,6 +2,8 @@ package steward.cli.play;
 
 import java.io.PrintStream;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import steward.cli.streams.Colour;
 import steward.contest.AnswerTimes;
 import steward.contest.Contest;
@@ -12,6 +14,8 @@ import steward.contest.Standings;
 import steward.contest.Tally;
 import steward.league.sequential.ScoreCounts;
 import steward.league.sequential.ScoreRange;
+import steward.match.OwnLimits;
+import steward.report.Table;
 import steward.text.TextFormat;
 
 /** Result of a series as text for people. */
@@ -19,7 +23,8 @@ final class SeriesText {
 
     private static final int KINDS_SHOWN = 10;
     private static final double NANOS_PER_MS = 1e6;
-    static final double PERCENTILE = 0.99;
+    private static final double PERCENTILE = 0.99;
+    private static final int LONGEST_NAME = 40;
 
     /** One line: how many games of what, the points, and which bots failed how often. */
     static String headline(Series series, Standings standings) {
@@ -62,10 +67,11 @@ final class SeriesText {
             + "; " + TextFormat.fixed(standings.meanTurns(), 1) + " turns on average"
             + (series.contest().hold().isEmpty() ? "" : "; " + series.contest().hold()));
         out.println();
-        points(out, colour, series, standings);
+        List<Bot> bots = bots(series, standings);
+        points(colour).lines(bots).forEach(out::println);
         TestScores.print(out, series, standings);
         out.println();
-        times(out, series, standings);
+        times().lines(bots).forEach(out::println);
         out.println();
         out.println(legend(series.contest()));
         out.println("Times without first answers, which include the start of the program; p99 is at most 1.6% high.");
@@ -97,37 +103,58 @@ final class SeriesText {
                 + "; 95% interval by maps.";
     }
 
-    private static int nameWidth(Series series) {
-        int width = series.contest().entrants().stream().mapToInt(entrant -> entrant.name().length()).max().orElse(0);
-        return Math.min(40, Math.max(3, width));
-    }
+    /** Row of the tables: a bot with its points, their 95% interval, and its answer times. */
+    record Bot(Contest.Entrant entrant, Tally tally, ScoreRange range, AnswerTimes times) {
 
-    private static String name(Contest.Entrant entrant, int width) {
-        return TextFormat.left(TextFormat.plain(TextFormat.shorten(entrant.name(), width)), width);
-    }
+        private String name() {
+            return TextFormat.plain(TextFormat.shorten(entrant.name(), LONGEST_NAME));
+        }
 
-    private static void points(PrintStream out, Colour colour, Series series, Standings standings) {
-        int names = nameWidth(series);
-        out.println(TextFormat.left("bot", names)
-            + "    wins   draws  losses  faults  points   95% interval    mean score");
-        for (int k = 0; k < series.contest().entrants().size(); k++) {
-            Tally tally = standings.tally(k);
-            String faults = TextFormat.right(Integer.toString(tally.faults()), 8);
-            out.println(name(series.contest().entrants().get(k), names)
-                + TextFormat.right(Integer.toString(tally.wins()), 8)
-                + TextFormat.right(Integer.toString(tally.draws()), 8)
-                + TextFormat.right(Integer.toString(tally.losses()), 8)
-                + (tally.faults() > 0 ? colour.bad(faults) : faults)
-                + colour.strong(TextFormat.right(TextFormat.fixed(tally.points(), 3), 8))
-                + "   " + TextFormat.left(interval(series, tally), 14)
-                + TextFormat.right(TextFormat.fixed(tally.score(), 2), 12));
+        /** A time in milliseconds, of which there is none without answers. */
+        private double ms(ToDoubleFunction<AnswerTimes> nanos) {
+            return times.count() > 0 ? nanos.applyAsDouble(times) / NANOS_PER_MS : Double.NaN;
         }
     }
 
-    private static String interval(Series series, Tally tally) {
-        ScoreRange range = ScoreRange.of(scores(series, tally));
-        return Double.isNaN(tally.points()) ? "-" : TextFormat.fixed(range.low(), 3) + " to "
-            + TextFormat.fixed(range.high(), 3);
+    static List<Bot> bots(Series series, Standings standings) {
+        return IntStream.range(0, series.contest().entrants().size()).mapToObj(k -> new Bot(
+            series.contest().entrants().get(k), standings.tally(k), ScoreRange.of(scores(series, standings.tally(k))),
+            standings.times(k))).toList();
+    }
+
+    static Table<Bot> points(Colour colour) {
+        return new Table<Bot>().left("bot", 0, Bot::name)
+            .value("name", bot -> bot.entrant.name()).value("bot", bot -> bot.entrant.bot())
+            .value(OwnLimits.FIELD, bot -> OwnLimits.writtenOrNull(bot.entrant.limits()))
+            .value("wins", bot -> bot.tally.wins()).shown("wins", 8)
+            .value("draws", bot -> bot.tally.draws()).shown("draws", 8)
+            .value("losses", bot -> bot.tally.losses()).shown("losses", 8)
+            .value("allFailed", bot -> bot.tally.allFailed())
+            .value("faults", bot -> bot.tally.faults()).shown("faults", 8)
+            .painted((bot, word) -> bot.tally.faults() > 0 ? colour.bad(word) : word)
+            .value("points", bot -> bot.tally.points()).shown("points", 8, 3)
+            .painted((bot, word) -> colour.strong(word))
+            .value("interval95", bot -> Double.isNaN(bot.tally.points()) ? List.of()
+                : List.of(bot.range.low(), bot.range.high()))
+            .left("95% interval  ", 3, bot -> Double.isNaN(bot.tally.points()) ? "-"
+                : TextFormat.fixed(bot.range.low(), 3) + " to " + TextFormat.fixed(bot.range.high(), 3))
+            .value("meanScore", bot -> bot.tally.score()).shown("mean score", 12, 2);
+    }
+
+    /** Milliseconds. */
+    static Table<Bot> times() {
+        return new Table<Bot>().left("bot", 0, Bot::name)
+            .value("answers", bot -> bot.times.count()).shown("answers", 8)
+            .value("mean", bot -> bot.times.meanNanos() / NANOS_PER_MS).shown("mean ms", 10, 2)
+            .value("p99", bot -> bot.ms(times -> times.quantileNanos(PERCENTILE))).shown("p99 ms", 10, 2)
+            .value("worst", bot -> bot.ms(AnswerTimes::worstNanos)).shown("worst ms", 10, 2)
+            .value("worstGame", bot -> bot.times.count() > 0 ? bot.times.worstGame() : null)
+            .value("worstTurn", bot -> bot.times.count() > 0 ? bot.times.worstTurn() : null)
+            .value("meanFirst", bot -> bot.times.meanFirstNanos() / NANOS_PER_MS).shown("first ms", 10, 2)
+            .value("worstFirst", bot -> Double.isNaN(bot.times.meanFirstNanos()) ? Double.NaN
+                : bot.times.worstFirstNanos() / NANOS_PER_MS)
+            .left("worst in", 3, bot -> bot.times.count() == 0 ? "" : "game " + bot.times.worstGame() + ", turn "
+                + bot.times.worstTurn());
     }
 
     /** The points of a bot by seed. */
@@ -149,22 +176,6 @@ final class SeriesText {
                 games.stream().limit(FailureReport.GAMES_SHOWN).map(game -> "game " + game.number()).toList(),
                 games.size()) + ") only repeat earlier ones, and count once; with --random, for a bot that draws by "
                 + "lot, they count.");
-        }
-    }
-
-    private static void times(PrintStream out, Series series, Standings standings) {
-        int names = nameWidth(series);
-        out.println(TextFormat.left("bot", names) + " answers   mean ms    p99 ms  worst ms  first ms   worst in");
-        for (int k = 0; k < series.contest().entrants().size(); k++) {
-            AnswerTimes times = standings.times(k);
-            boolean any = times.count() > 0;
-            out.println(name(series.contest().entrants().get(k), names)
-                + TextFormat.right(Long.toString(times.count()), 8)
-                + TextFormat.right(TextFormat.fixed(times.meanNanos() / NANOS_PER_MS, 2), 10)
-                + TextFormat.right(any ? TextFormat.ms(times.quantileNanos(PERCENTILE)) : "-", 10)
-                + TextFormat.right(any ? TextFormat.ms(times.worstNanos()) : "-", 10)
-                + TextFormat.right(TextFormat.fixed(times.meanFirstNanos() / NANOS_PER_MS, 2), 10)
-                + (any ? "   game " + times.worstGame() + ", turn " + times.worstTurn() : ""));
         }
     }
 

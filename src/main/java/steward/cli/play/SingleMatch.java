@@ -12,10 +12,11 @@ import java.util.concurrent.atomic.AtomicReference;
 import steward.cli.options.DisplayOptions;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
-import steward.cli.shared.MatchText;
+import steward.cli.shared.MatchReport;
 import steward.cli.shared.Pages;
 import steward.cli.shared.Verbosity;
 import steward.cli.streams.Interruption;
+import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.contest.CountedGame;
@@ -117,13 +118,13 @@ record SingleMatch(Streams streams, Contest contest, Verbosity report, boolean s
     private int tell(long seed, CountedGame<?> game, Path file) {
         MatchResult result = game.result();
         switch (report) {
-            case JSON -> MatchJson.print(streams, contest, seed, game, file);
-            case LINE -> text().println(MatchText.headline(contest.sceneName(), seed, result, game.failures()));
+            case JSON -> Json.print(streams, MatchReport.fields(contest, seed, game, file));
+            case LINE -> text().println(MatchReport.headline(contest.sceneName(), seed, result, game.failures()));
             default -> {
-                MatchText.print(text(), piped ? streams.errColour() : streams.outColour(), contest.sceneName(), seed,
+                MatchReport.print(text(), piped ? streams.errColour() : streams.outColour(), contest.sceneName(), seed,
                     result, game.failures());
                 if (file != null) {
-                    MatchText.printReplay(text(), file, contest.setup().scene().gameId());
+                    MatchReport.printReplay(text(), file, contest.setup().scene().gameId());
                 }
             }
         }

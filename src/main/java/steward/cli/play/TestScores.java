@@ -2,13 +2,16 @@ package steward.cli.play;
 
 import java.io.PrintStream;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.TreeMap;
-import java.util.stream.Collectors;
 import steward.contest.Contest;
 import steward.contest.Series;
 import steward.contest.Standings;
 import steward.game.GameSetup;
 import steward.match.GuestSetup;
+import steward.report.Table;
 import steward.text.TextFormat;
 
 /** Table of scores by test in a game for one player: a row for each test that was played, and their sum. */
@@ -38,23 +41,23 @@ final class TestScores {
                 games.computeIfAbsent(test, each -> new int[bots])[bot]++;
             }
         }
-        out.println();
-        StringBuilder head = new StringBuilder("test");
-        contest.entrants().forEach(entrant -> head.append(TextFormat.right(TextFormat.shorten(entrant.name(),
-            WIDTH - 2), WIDTH)));
-        out.println(TextFormat.plain(head.toString()) + (contest.lowerScoreIsBetter()
-            ? "   (a lower score is better)" : ""));
+        Map<String, double[]> rows = new LinkedHashMap<>();
         double[] all = new double[bots];
         sums.forEach((test, sum) -> {
-            StringBuilder row = new StringBuilder(TextFormat.right(Long.toString(test), 4));
-            for (int bot = 0; bot < bots; bot++) {
-                double mean = sum[bot] / games.get(test)[bot];
-                all[bot] += mean;
-                row.append(TextFormat.right(Double.isNaN(mean) ? "-" : TextFormat.number(mean, 2), WIDTH));
-            }
-            out.println(row);
+            Arrays.setAll(sum, bot -> sum[bot] / games.get(test)[bot]);
+            Arrays.setAll(all, bot -> all[bot] + sum[bot]);
+            rows.put(Long.toString(test), sum);
         });
-        out.println("sum " + Arrays.stream(all).mapToObj(sum -> TextFormat.right(Double.isNaN(sum) ? "-"
-            : TextFormat.number(sum, 2), WIDTH)).collect(Collectors.joining()));
+        rows.put("sum ", all);
+        Table<Map.Entry<String, double[]>> table = new Table<>();
+        table.right("test", 4, Map.Entry::getKey);
+        for (int k = 0; k < bots; k++) {
+            int bot = k;
+            table.right(TextFormat.plain(TextFormat.shorten(contest.entrants().get(k).name(), WIDTH - 2)), WIDTH,
+                row -> Double.isNaN(row.getValue()[bot]) ? "-" : TextFormat.number(row.getValue()[bot], 2));
+        }
+        List<String> lines = table.lines(rows.entrySet());
+        out.println("\n" + lines.get(0) + (contest.lowerScoreIsBetter() ? "   (a lower score is better)" : ""));
+        lines.subList(1, lines.size()).forEach(out::println);
     }
 }

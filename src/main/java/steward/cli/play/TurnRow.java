@@ -1,7 +1,6 @@
 package steward.cli.play;
 
-import steward.json.JsonNumbers;
-import tools.jackson.core.JsonGenerator;
+import steward.report.Table;
 
 /**
  * Sums over all bodies of finite mass at the end of a turn, such as energy and momentum, and over the turn's impacts.
@@ -25,33 +24,18 @@ record TurnRow(int turn, double energy, double momentumX, double momentumY, int 
                double limitTime, double rest, double restSum, double angularMomentum, double temperature,
                double pressureWalls, double pressureVirial) {
 
-    /** The first line of the table, with units. */
-    static final String COLUMNS = "turn,energy [m u^2/turn^2],momentumX [m u/turn],momentumY [m u/turn],impacts,"
-        + "potential [m u^2/turn^2],limitTime [turn],rest [m u^2/turn^2],restSum [m u^2/turn^2],"
-        + "angularMomentum [m u^2/turn],temperature [m u^2/turn^2],pressureWalls [m/turn^2],pressureVirial [m/turn^2]";
+    /** Columns of the table, and their units; none for a count. */
+    static final Table<TurnRow> COLUMNS = new Table<TurnRow>().value("turn", TurnRow::turn)
+        .value("energy [m u^2/turn^2]", TurnRow::energy).value("momentumX [m u/turn]", TurnRow::momentumX)
+        .value("momentumY [m u/turn]", TurnRow::momentumY).value("impacts", TurnRow::impacts)
+        .value("potential [m u^2/turn^2]", TurnRow::potential).value("limitTime [turn]", TurnRow::limitTime)
+        .value("rest [m u^2/turn^2]", TurnRow::rest).value("restSum [m u^2/turn^2]", TurnRow::restSum)
+        .value("angularMomentum [m u^2/turn]", TurnRow::angularMomentum)
+        .value("temperature [m u^2/turn^2]", TurnRow::temperature)
+        .value("pressureWalls [m/turn^2]", TurnRow::pressureWalls)
+        .value("pressureVirial [m/turn^2]", TurnRow::pressureVirial);
 
     boolean isLimited() {
         return !Double.isNaN(limitTime);
-    }
-
-    String line() {
-        return turn + RunTables.cells(energy, momentumX, momentumY) + "," + impacts + RunTables.cells(potential,
-            limitTime, rest, restSum, angularMomentum, temperature, pressureWalls, pressureVirial) + "\n";
-    }
-
-    void write(JsonGenerator out) {
-        out.writeNumberProperty("turn", turn);
-        JsonNumbers.writeOrNull(out, "energy", energy);
-        JsonNumbers.writeOrNull(out, "momentumX", momentumX);
-        JsonNumbers.writeOrNull(out, "momentumY", momentumY);
-        out.writeNumberProperty("impacts", impacts);
-        JsonNumbers.writeOrNull(out, "potential", potential);
-        JsonNumbers.writeOrNull(out, "limitTime", limitTime);
-        JsonNumbers.writeOrNull(out, "rest", rest);
-        JsonNumbers.writeOrNull(out, "restSum", restSum);
-        JsonNumbers.writeOrNull(out, "angularMomentum", angularMomentum);
-        JsonNumbers.writeOrNull(out, "temperature", temperature);
-        JsonNumbers.writeOrNull(out, "pressureWalls", pressureWalls);
-        JsonNumbers.writeOrNull(out, "pressureVirial", pressureVirial);
     }
 }

@@ -22,6 +22,7 @@ import steward.replay.ReplayHeader;
 import steward.replay.ReplayReader;
 import steward.replay.page.PageTemplate;
 import steward.replay.page.ReplayPage;
+import steward.report.Fields;
 import steward.text.TextFormat;
 
 /** Page of two replays of one scene, seed and players, side by side, with one clock and their differences. */
@@ -129,14 +130,11 @@ final class BesidePage {
             template.put("policy", template.policy("'none'", " " + shell.scriptHash(), " " + shell.styleHash()));
             List<ReplayPage.Embedded> replays = List.of(ReplayPage.embedded(files.get(0), types, null),
                 ReplayPage.embedded(files.get(1), types, null));
-            String data = LeaguePage.inScript(JsonObject.text(out -> {
-                JsonObject.writeTexts(out, "files", files.stream().map(file -> file.getFileName().toString()).toList());
-                out.writeNumberProperty("first", firstDifferent);
-                JsonObject.writeTexts(out, "results", results);
-                JsonObject.writeTexts(out, "shell", List.of(shell.before(), shell.after()));
-                JsonObject.writeTexts(out, "replays", replays.stream().map(ReplayPage.Embedded::replay).toList());
-                JsonObject.writeTexts(out, "details", replays.stream().map(ReplayPage.Embedded::details).toList());
-            }));
+            String data = LeaguePage.inScript(JsonObject.text(Fields.of("files",
+                Fields.each(files, Path::getFileName), "first", firstDifferent, "results", results,
+                "shell", List.of(shell.before(), shell.after()),
+                "replays", Fields.each(replays, ReplayPage.Embedded::replay),
+                "details", Fields.each(replays, ReplayPage.Embedded::details))::write));
             ByteArrayOutputStream html = new ByteArrayOutputStream();
             template.write(html, out -> out.write(data.getBytes(StandardCharsets.UTF_8)));
             try (OutputStream out = OutputFiles.open(page, overwrite)) {

@@ -5,18 +5,17 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.MatchText;
+import steward.cli.shared.MatchReport;
 import steward.cli.streams.Colour;
 import steward.cli.streams.Json;
 import steward.cli.streams.StandardFiles;
-import steward.json.JsonObject;
 import steward.match.MatchResult;
 import steward.replay.ReplayHeader;
 import steward.replay.feed.FedTurn;
 import steward.replay.feed.Takeover;
 import steward.replay.verify.ReplayDifference;
+import steward.report.Fields;
 import steward.text.TextFormat;
-import tools.jackson.core.JsonGenerator;
 
 /** Report, turn by turn, on whether a bot answers as recorded, with a count of the differences. */
 final class FeedReport {
@@ -103,10 +102,7 @@ final class FeedReport {
             session.streams().warn(session.match().warning());
         }
         if (session.json()) {
-            Json.print(session.streams(), out -> {
-                write(out);
-                write(out, outcome, file);
-            });
+            Json.print(session.streams(), fields(outcome, file));
             return;
         }
         String where = "";
@@ -129,50 +125,26 @@ final class FeedReport {
         ReplayHeader header = session.match().header();
         String scene = ReplayHeaderText.scene(header);
         if (result != null) {
-            text.println(colour.strong(MatchText.headline(scene, header.seed(), result)));
+            text.println(colour.strong(MatchReport.headline(scene, header.seed(), result)));
         } else {
             text.println(TextFormat.plain("no result after " + TextFormat.count(outcome.turns(), "turn") + ": "
                 + outcome.reason() + "; ahead then: " + String.join(", ", outcome.ahead())));
         }
         if (!StandardFiles.is(file)) {
-            MatchText.printReplay(text, Path.of(file), header.game());
+            MatchReport.printReplay(text, Path.of(file), header.game());
         }
     }
 
-    private void write(JsonGenerator out) {
-        out.writeNumberProperty("player", session.player());
-        out.writeStringProperty("name", session.match().header().names().get(session.player()));
-        out.writeStringProperty("bot", session.bot().toString());
-        out.writeStringProperty("protocol", session.protocol().word());
-        out.writeNumberProperty("compared", compared);
-        out.writeNumberProperty("same", compared - differing.size());
-        JsonObject.writeAll(out, "differing", differing, turn -> {
-            out.writeNumberProperty("turn", turn.number());
-            out.writeStringProperty("recordedFault", turn.recordedFault());
-            out.writeStringProperty("fault", turn.fault());
-            JsonObject.writeAll(out, "fields", turn.differences(), difference -> {
-                out.writeStringProperty("field", difference.field());
-                out.writeStringProperty("recorded", difference.recorded());
-                out.writeStringProperty("now", difference.found());
-            });
-        });
-    }
-
-    /** The field {@code played}: the result of letting the bot play; null if it did not. */
-    private void write(JsonGenerator out, Takeover.Outcome outcome, String file) {
-        if (outcome == null) {
-            out.writeNullProperty("played");
-            return;
-        }
-        MatchResult result = outcome.result();
-        out.writeObjectPropertyStart("played");
-        out.writeNumberProperty("turns", played);
-        out.writeNumberProperty("turnsInAll", outcome.turns());
-        out.writeStringProperty("ending", result == null ? null : result.ending());
-        out.writeStringProperty("noResultBecause", outcome.reason());
-        JsonObject.writeTexts(out, "ahead", outcome.ahead());
-        out.writeStringProperty("replay", file);
-        out.writeEndObject();
+    private Fields fields(Takeover.Outcome outcome, String file) {
+        return Fields.of("player", session.player(), "name", session.match().header().names().get(session.player()),
+            "bot", session.bot(), "protocol", session.protocol().word(), "compared", compared,
+            "same", compared - differing.size(), "differing", Fields.each(differing, turn -> Fields.of(
+                "turn", turn.number(), "recordedFault", turn.recordedFault(), "fault", turn.fault(),
+                "fields", Fields.each(turn.differences(), difference -> Fields.of("field", difference.field(),
+                    "recorded", difference.recorded(), "now", difference.found())))),
+            "played", outcome == null ? null : Fields.of("turns", played, "turnsInAll", outcome.turns(),
+                "ending", outcome.result() == null ? null : outcome.result().ending(),
+                "noResultBecause", outcome.reason(), "ahead", outcome.ahead(), "replay", file));
     }
 
     int status() {

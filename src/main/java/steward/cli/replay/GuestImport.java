@@ -17,12 +17,12 @@ import steward.game.GameSetup;
 import steward.game.GameTypes;
 import steward.guest.GuestType;
 import steward.guest.RefereeFault;
-import steward.json.JsonObject;
 import steward.match.GuestSetup;
 import steward.replay.ReplayReader;
 import steward.replay.verify.ReplayDifference;
 import steward.replay.verify.Verification;
 import steward.replay.verify.ViewComparison;
+import steward.report.Fields;
 import steward.text.TextFormat;
 
 /**
@@ -92,17 +92,9 @@ record GuestImport(Streams streams, String text, String source, List<String> sce
             return played.isSame() ? ExitStatus.DONE : ExitStatus.FAILED;
         }
         if (json) {
-            Json.print(streams, object -> {
-                object.writeNumberProperty("turns", played.imported.turns());
-                object.writeStringProperty("ending", played.imported.ending());
-                object.writeStringProperty("replay", out);
-                object.writeNumberProperty("equal", played.views.values());
-                object.writeStringProperty("difference", played.compared.difference() == null ? null
-                    : played.compared.difference().toString());
-                object.writeStringProperty("note", played.imported.note());
-                JsonObject.writeTexts(object, "notCompared", played.views.notCompared());
-                JsonObject.writeTexts(object, "others", others);
-            });
+            Json.print(streams, Fields.of("turns", played.imported.turns(), "ending", played.imported.ending(),
+                "replay", out, "equal", played.views.values(), "difference", played.compared.difference(),
+                "note", played.imported.note(), "notCompared", played.views.notCompared(), "others", others));
         } else {
             streams.out().println("imported: " + TextFormat.count(played.imported.turns(), "turn") + ", "
                 + (played.imported.ending() == null ? "and there the recording ends" : played.imported.ending()));

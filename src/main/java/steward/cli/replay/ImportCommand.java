@@ -27,6 +27,7 @@ import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.podrace.RulesEdition;
 import steward.replay.page.UnclosedOutputStream;
+import steward.report.Fields;
 import steward.text.TextFormat;
 import steward.text.Utf8Text;
 import steward.text.Utf8Text.NotUtf8Exception;
@@ -120,11 +121,7 @@ public final class ImportCommand extends ProgramCommand {
             throw new FailedException(difference.getMessage());
         }
         if (json) {
-            Json.print(streams, object -> {
-                object.writeNumberProperty("turns", imported.turns());
-                object.writeStringProperty("ending", imported.ending());
-                object.writeStringProperty("replay", out);
-            });
+            Json.print(streams, Fields.of("turns", imported.turns(), "ending", imported.ending(), "replay", out));
         } else if (!piped) {
             streams.out().println("imported: " + TextFormat.count(imported.turns(), "turn") + ", "
                 + (imported.ending() == null ? "and there the recording ends" : imported.ending()));

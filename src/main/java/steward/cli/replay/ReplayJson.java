@@ -4,14 +4,12 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import steward.cli.shared.FailureJson;
+import steward.cli.shared.FailureReason;
 import steward.cli.shared.Games;
 import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.contest.RecordedFailures;
 import steward.game.GameTypes;
-import steward.json.JsonNumbers;
-import steward.json.JsonObject;
 import steward.match.MatchResult;
 import steward.match.OwnLimits;
 import steward.replay.RecordedTurn;
@@ -19,8 +17,8 @@ import steward.replay.ReplayHeader;
 import steward.replay.ReplayReader;
 import steward.replay.verify.ReplayDifference;
 import steward.replay.verify.Verification;
+import steward.report.Fields;
 import steward.text.TextFormat;
-import tools.jackson.core.JsonGenerator;
 
 /** Output of {@code steward replay} for programs: one JSON object with facts of the match. */
 record ReplayJson(Streams streams, ReplayReader replay) {
@@ -37,39 +35,23 @@ record ReplayJson(Streams streams, ReplayReader replay) {
             impacts += outcome.containsKey("impactsInAll") ? (long) Json.number(outcome.get("impactsInAll"))
                 : Json.objects(outcome.get("impacts")).size();
         }
-        int played = turns;
-        long counted = impacts;
-        Json.print(streams, out -> summary(out, played, counted, failures));
-    }
-
-    private void summary(JsonGenerator out, int turns, long impacts, RecordedFailures failures) {
         ReplayHeader header = replay.header();
         MatchResult result = RecordedResult.of(replay, replay.header().names());
-        out.writeStringProperty("scene", Json.word(Json.object(header.scene()).get("name"), 0));
-        out.writeStringProperty("game", header.game());
-        out.writeStringProperty("seed", Long.toString(header.seed()));
-        out.writeNumberProperty("turns", turns);
-        out.writeNumberProperty("impacts", impacts);
-        out.writeStringProperty("ending", result == null ? null : result.ending());
-        JsonNumbers.writeOrNull(out, "winner", result == null || result.winner() < 0 ? Double.NaN : result.winner());
-        JsonObject.writeAll(out, "players", header.names().size(), player -> {
-            out.writeStringProperty("name", header.names().get(player));
-            out.writeStringProperty("bot", header.bots().get(player));
-            out.writeStringProperty(OwnLimits.FIELD,
-                OwnLimits.writtenOrNull(OwnLimits.of(header.limits().get(player))));
-            if (result != null) {
-                out.writeNumberProperty("rank", result.players().get(player).rank());
-                out.writeNumberProperty("score", result.players().get(player).score());
-                out.writeStringProperty("fault", result.players().get(player).fault());
-                out.writeStringProperty("out", result.players().get(player).out());
-            }
-        });
-        JsonObject.writeAll(out, "failures", failures.failures(), failure -> {
-            out.writeNumberProperty("player", failure.player());
-            out.writeStringProperty("fault", failure.reason());
-            FailureJson.write(out, failure);
-        });
-        out.writeStringProperty("warning", replay.warning());
+        Json.print(streams, Fields.of("scene", Json.word(Json.object(header.scene()).get("name"), 0),
+            "game", header.game(), "seed", Long.toString(header.seed()), "turns", turns, "impacts", impacts,
+            "ending", result == null ? null : result.ending(),
+            "winner", result == null || result.winner() < 0 ? null : result.winner(),
+            "players", Fields.each(header.names().size(), player -> {
+                Fields fields = Fields.of("name", header.names().get(player), "bot", header.bots().get(player),
+                    OwnLimits.FIELD, OwnLimits.writtenOrNull(OwnLimits.of(header.limits().get(player))));
+                if (result != null) {
+                    MatchResult.PlayerResult of = result.players().get(player);
+                    fields.with("rank", of.rank(), "score", Fields.decimal(of.score()), "fault", of.fault(),
+                        "out", of.out());
+                }
+                return fields;
+            }), "failures", Fields.each(failures.failures(), failure -> Fields.of("player", failure.player(),
+                "fault", failure.reason()).and(FailureReason.fields(failure))), "warning", replay.warning()));
     }
 
     /** One turn: what was recorded of it, angles in radians. */
@@ -77,26 +59,14 @@ record ReplayJson(Streams streams, ReplayReader replay) {
         TurnDetail detail = new TurnDetail(null, replay, types);
         RecordedTurn turn = detail.find(number);
         String[] sent = detail.sent(turn);
-        Json.print(streams, out -> turn(out, turn, sent));
+        Json.print(streams, Fields.of("turn", turn.number(), "sent", Arrays.asList(sent),
+            "commands", raw(turn.commands()), "faults", Arrays.asList(turn.faults()),
+            "messages", Arrays.asList(turn.messages()), "stderr", Arrays.asList(turn.stderr()),
+            "outcome", raw(turn.outcome())));
     }
 
-    private static void turn(JsonGenerator out, RecordedTurn turn, String[] sent) {
-        out.writeNumberProperty("turn", turn.number());
-        texts(out, "sent", sent);
-        raw(out, "commands", turn.commands());
-        texts(out, "faults", turn.faults());
-        texts(out, "messages", turn.messages());
-        texts(out, "stderr", turn.stderr());
-        raw(out, "outcome", turn.outcome());
-    }
-
-    private static void raw(JsonGenerator out, String name, byte[] json) {
-        out.writeName(name);
-        out.writeRawValue(TextFormat.escaped(new String(json, StandardCharsets.UTF_8), ""));
-    }
-
-    private static void texts(JsonGenerator out, String name, String[] texts) {
-        JsonObject.writeTexts(out, name, Arrays.asList(texts));
+    private static Fields.Raw raw(byte[] json) {
+        return new Fields.Raw(TextFormat.escaped(new String(json, StandardCharsets.UTF_8), ""));
     }
 
     /** The impacts of a range of turns, both ends included, as they were recorded. */
@@ -113,14 +83,8 @@ record ReplayJson(Streams streams, ReplayReader replay) {
         if (last < from) {
             throw TurnDetail.noSuchTurn(replay, from, last);
         }
-        Json.print(streams, out -> {
-            JsonObject.writeAll(out, "turns", turns.entrySet(), turn -> {
-                out.writeNumberProperty("turn", turn.getKey());
-                out.writeName("impacts");
-                Json.write(out, turn.getValue());
-            });
-            out.writeStringProperty("warning", replay.warning());
-        });
+        Json.print(streams, Fields.of("turns", Fields.each(turns.entrySet(),
+            turn -> Fields.of("turn", turn.getKey(), "impacts", turn.getValue())), "warning", replay.warning()));
     }
 
     /**
@@ -131,30 +95,16 @@ record ReplayJson(Streams streams, ReplayReader replay) {
     int verification(Verification verification, VerifyReport report) {
         ReplayDifference difference = verification.difference();
         String wrong = report.wrong(replay, verification);
-        Json.print(streams, out -> {
-            out.writeBooleanProperty("verified", wrong == null && verification.verified());
-            out.writeStringProperty("reason", wrong);
-            out.writeNumberProperty("turns", verification.turns());
-            out.writeName("difference");
-            if (difference == null) {
-                out.writeNull();
-            } else {
-                out.writeStartObject();
-                out.writeNumberProperty("turn", difference.turn());
-                out.writeStringProperty("field", difference.field());
-                out.writeStringProperty("recorded", difference.recorded());
-                out.writeStringProperty("found", difference.found());
-                out.writeEndObject();
-            }
-            if (!report.views().notCompared().isEmpty()) {
-                out.writeNumberProperty("values", report.views().values());
-                out.writeNumberProperty("near", report.views().nearInAll());
-                JsonObject.writeTexts(out, "notCompared", report.views().notCompared());
-            }
-            out.writeStringProperty("olderLaw", verification.olderLaw());
-            out.writeStringProperty("isolation", verification.signature().isolation());
-            out.writeStringProperty("warning", verification.warning());
-        });
+        Fields fields = Fields.of("verified", wrong == null && verification.verified(), "reason", wrong,
+            "turns", verification.turns(), "difference", difference == null ? null : Fields.of(
+                "turn", difference.turn(), "field", difference.field(), "recorded", difference.recorded(),
+                "found", difference.found()));
+        if (!report.views().notCompared().isEmpty()) {
+            fields.with("values", report.views().values(), "near", report.views().nearInAll(),
+                "notCompared", report.views().notCompared());
+        }
+        Json.print(streams, fields.with("olderLaw", verification.olderLaw(),
+            "isolation", verification.signature().isolation(), "warning", verification.warning()));
         return report.status(wrong, verification);
     }
 }

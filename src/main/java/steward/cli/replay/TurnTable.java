@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import steward.cli.shared.Games;
-import steward.cli.shared.MatchText;
+import steward.cli.shared.MatchReport;
 import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.contest.RecordedFailures;
@@ -197,7 +197,7 @@ final class TurnTable {
         if (result == null) {
             out.println(turns == 0 ? "no turn was recorded" : "no result after " + TextFormat.count(turns, "turn"));
         } else {
-            MatchText.print(out, streams.outColour(), scene(), replay.header().seed(), result, failures.failures());
+            MatchReport.print(out, streams.outColour(), scene(), replay.header().seed(), result, failures.failures());
         }
         if (!replay.header().game().equals(GuestType.ID)) {
             out.println(TextFormat.count(impacts, "impact") + " in all");

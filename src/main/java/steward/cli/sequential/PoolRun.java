@@ -197,10 +197,8 @@ final class PoolRun implements PairedPlay.Tables {
     private void tell() {
         List<Contest> all = contests.stream().flatMap(List::stream).toList();
         switch (report) {
-            case JSON -> Json.print(streams, out -> {
-                text.json(out, pool);
-                FailureReport.json(out, all.stream().flatMap(each -> kinds(each).stream()).toList());
-            });
+            case JSON -> Json.print(streams, text.fields(pool).with("failures",
+                FailureReport.json(all.stream().flatMap(each -> kinds(each).stream()).toList())));
             case LINE -> streams.out().println(text.line(pool));
             default -> {
                 text.lines(pool, streams.outColour()).forEach(streams.out()::println);

@@ -4,14 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import steward.cli.options.SeedFileOption;
 import steward.cli.streams.Colour;
-import steward.json.JsonNumbers;
-import steward.json.JsonObject;
-import steward.league.sequential.ExpectedLength;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
 import steward.league.sequential.StoppedRange;
+import steward.report.Fields;
+import steward.report.Table;
 import steward.text.TextFormat;
-import tools.jackson.core.JsonGenerator;
 
 /**
  * Text about the state of a test against a pool.
@@ -24,8 +22,14 @@ record PoolText(Gsprt test, double points0, double points1, String one, String b
 
     /** Elo of the natural logarithm of odds. */
     private static final double ELO = 400 / StrictMath.log(10);
-    private static final int NAME = 24;
-    private static final int OPPONENTS = 12;
+    /** Opponents that people are shown. */
+    private static final int MOST = 12;
+    private static final Table<PoolScores.Opponent> OPPONENTS = new Table<PoolScores.Opponent>()
+        .left("opponent" + " ".repeat(16), 0, each -> TextFormat.plain(TextFormat.shorten(each.name(), 24)))
+        .value("opponent", PoolScores.Opponent::name)
+        .value("seeds", PoolScores.Opponent::seeds).shown("seeds", 8)
+        .value("new", PoolScores.Opponent::ofNew).shown("new", 9, 3)
+        .value("base", PoolScores.Opponent::ofBase).shown("base", 9, 3);
     /** Width of a range of points that says nothing. */
     private static final double VOID = 1;
 
@@ -43,21 +47,12 @@ record PoolText(Gsprt test, double points0, double points1, String one, String b
 
     /** On one line while it is played. */
     String standing(PoolScores pool) {
-        ScoreCounts scores = pool.scores();
-        return "LLR " + TextFormat.fixed(test.ratio(scores), 2) + " (" + TextFormat.fixed(test.lower(), 2) + " to "
-            + TextFormat.fixed(test.upper(), 2) + "), " + TextFormat.count(scores.observations(), "seed") + left(pool);
+        return SprtText.ratio(test, pool.scores()) + ", " + TextFormat.count(pool.scores().observations(), "seed")
+            + left(pool);
     }
 
     private String left(PoolScores pool) {
-        ScoreCounts scores = pool.scores();
-        return pool.state(test) != Gsprt.State.OPEN || scores.observations() == 0 ? ""
-            : ", about " + TextFormat.count(gamesLeft(pool), "game") + " left";
-    }
-
-    private long gamesLeft(PoolScores pool) {
-        ScoreCounts scores = pool.scores();
-        return Math.round(pool.gamesOfSeed() * Math.max(Math.max(1, Gsprt.LEAST - scores.observations()),
-            ExpectedLength.of(test, scores, test.ratio(scores)).observations()));
+        return SprtText.left(test, pool.state(test), pool.scores(), pool.gamesOfSeed());
     }
 
     private String verdict(Gsprt.State state) {
@@ -72,7 +67,7 @@ record PoolText(Gsprt test, double points0, double points1, String one, String b
 
     /** Returns the line of the result. */
     String line(PoolScores pool) {
-        return standing(pool).replaceFirst(", .*", "") + ": " + verdict(pool.state(test)) + left(pool)
+        return SprtText.ratio(test, pool.scores()) + ": " + verdict(pool.state(test)) + left(pool)
             + (choosers.isEmpty() ? "" : "; " + SeedFileOption.flag(choosers));
     }
 
@@ -80,15 +75,11 @@ record PoolText(Gsprt test, double points0, double points1, String one, String b
     List<String> lines(PoolScores pool, Colour colour) {
         List<String> lines = new ArrayList<>();
         ScoreCounts scores = pool.scores();
-        SprtText.Unused unused = pool.unused();
         lines.add(heading(pool.opponents().size()));
-        lines.add(colour.strong(standing(pool).replaceFirst(", .*", "") + ": " + verdict(pool.state(test)))
-            + left(pool));
+        lines.add(colour.strong(SprtText.ratio(test, scores) + ": " + verdict(pool.state(test))) + left(pool));
         lines.add(TextFormat.count(scores.observations(), "seed") + ", "
-            + TextFormat.count(scores.observations() * pool.gamesOfSeed(), "game") + text(unused.without(),
-                " without a result left out") + text(unused.allFailed(), " left out in which all players failed in "
-                + "the same turn") + text(unused.repeats(), " that only repeat games, and count as the "
-                + "opponent was drawn"));
+            + TextFormat.count(scores.observations() * pool.gamesOfSeed(), "game")
+            + pool.unused().text(", and count as the opponent was drawn"));
         if (scores.observations() > 1) {
             StoppedRange found = test.range(scores);
             double low = 2 * found.scoreLow() - 1;
@@ -103,23 +94,15 @@ record PoolText(Gsprt test, double points0, double points1, String one, String b
             lines.add("In Elo against this pool: " + fixed(elo(pool, ahead), 1) + (isVoid ? "" : " ("
                 + fixed(elo(pool, low), 1) + " to " + fixed(elo(pool, high), 1) + ")") + "; H0 "
                 + fixed(elo(pool, points0), 1) + ", H1 " + fixed(elo(pool, points1), 1));
-            lines.add(TextFormat.left("opponent", NAME) + "   seeds      new     base");
-            pool.opponents().stream().limit(OPPONENTS).forEach(each -> lines.add(TextFormat.left(TextFormat.plain(
-                TextFormat.shorten(each.name(), NAME)), NAME) + TextFormat.right(Long.toString(each.seeds()), 8)
-                + TextFormat.right(TextFormat.fixed(each.ofNew(), 3), 9)
-                + TextFormat.right(TextFormat.fixed(each.ofBase(), 3), 9)));
-            if (pool.opponents().size() > OPPONENTS) {
-                lines.add("and " + (pool.opponents().size() - OPPONENTS) + " more; --json has all");
+            lines.addAll(OPPONENTS.lines(pool.opponents().subList(0, Math.min(MOST, pool.opponents().size()))));
+            if (pool.opponents().size() > MOST) {
+                lines.add("and " + (pool.opponents().size() - MOST) + " more; --json has all");
             }
         }
         if (!choosers.isEmpty()) {
             lines.add(colour.warning(SeedFileOption.flag(choosers)));
         }
         return lines;
-    }
-
-    private static String text(long seeds, String what) {
-        return seeds == 0 ? "" : ", " + TextFormat.count(seeds, "seed") + what;
     }
 
     private static String fixed(double value, int decimals) {
@@ -137,46 +120,23 @@ record PoolText(Gsprt test, double points0, double points1, String one, String b
             ? ELO * (StrictMath.log(other / (1 - other)) - StrictMath.log(base / (1 - base))) : Double.NaN;
     }
 
-    void json(JsonGenerator out, PoolScores pool) {
+    Fields fields(PoolScores pool) {
         ScoreCounts scores = pool.scores();
-        SprtText.Unused unused = pool.unused();
-        out.writeStringProperty("state", pool.state(test).name());
-        out.writeNumberProperty("points0", points0);
-        out.writeNumberProperty("points1", points1);
-        out.writeNumberProperty("llr", test.ratio(scores));
-        out.writeNumberProperty("lower", test.lower());
-        out.writeNumberProperty("upper", test.upper());
-        out.writeNumberProperty("seeds", scores.observations());
-        out.writeNumberProperty("gamesOfSeed", pool.gamesOfSeed());
-        out.writeNumberProperty("without", unused.without());
-        out.writeNumberProperty("allFailed", unused.allFailed());
-        out.writeNumberProperty("repeats", unused.repeats());
         boolean isAny = scores.observations() > 1;
         StoppedRange found = isAny ? test.range(scores) : null;
         double ahead = pool.ofNew() - pool.ofBase();
         boolean isKnown = isAny && 2 * (found.scoreHigh() - found.scoreLow()) <= VOID;
         double low = isKnown ? 2 * found.scoreLow() - 1 : Double.NaN;
         double high = isKnown ? 2 * found.scoreHigh() - 1 : Double.NaN;
-        out.writeNumberProperty("level", 1 - (test.alpha() + test.beta()));
-        JsonNumbers.writeOrNull(out, "new", pool.ofNew());
-        JsonNumbers.writeOrNull(out, "base", pool.ofBase());
-        JsonNumbers.writeOrNull(out, "ahead", ahead);
-        JsonNumbers.writeOrNull(out, "aheadLow", low);
-        JsonNumbers.writeOrNull(out, "aheadHigh", high);
-        JsonNumbers.writeOrNull(out, "elo", elo(pool, ahead));
-        JsonNumbers.writeOrNull(out, "eloLow", elo(pool, low));
-        JsonNumbers.writeOrNull(out, "eloHigh", elo(pool, high));
-        JsonNumbers.writeOrNull(out, "eloOfPoints0", elo(pool, points0));
-        JsonNumbers.writeOrNull(out, "eloOfPoints1", elo(pool, points1));
+        Fields fields = Fields.of("state", pool.state(test).name(), "points0", Fields.decimal(points0),
+            "points1", Fields.decimal(points1)).and(SprtText.fields(test, scores, pool.gamesOfSeed(), pool.unused()))
+            .with("level", Fields.decimal(1 - (test.alpha() + test.beta())), "new", pool.ofNew(),
+                "base", pool.ofBase(), "ahead", ahead, "aheadLow", low, "aheadHigh", high, "elo", elo(pool, ahead),
+                "eloLow", elo(pool, low), "eloHigh", elo(pool, high), "eloOfPoints0", elo(pool, points0),
+                "eloOfPoints1", elo(pool, points1));
         if (isAny && pool.state(test) == Gsprt.State.OPEN) {
-            out.writeNumberProperty("gamesLeft", gamesLeft(pool));
+            fields.with("gamesLeft", SprtText.gamesLeft(test, scores, pool.gamesOfSeed()));
         }
-        JsonObject.writeAll(out, "pool", pool.opponents(), each -> {
-            out.writeStringProperty("opponent", each.name());
-            out.writeNumberProperty("seeds", each.seeds());
-            JsonNumbers.writeOrNull(out, "new", each.ofNew());
-            JsonNumbers.writeOrNull(out, "base", each.ofBase());
-        });
-        JsonObject.writeTexts(out, "choosers", choosers);
+        return fields.with("pool", OPPONENTS.json(pool.opponents()), "choosers", choosers);
     }
 }

@@ -22,7 +22,6 @@ import steward.contest.PairedPlay;
 import steward.contest.ProgramWatch;
 import steward.contest.repeat.Repeats;
 import steward.contest.seeds.Seeds;
-import steward.json.JsonObject;
 import steward.league.ChosenSeeds;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
@@ -105,7 +104,7 @@ public final class SprtRun {
         SprtText text = new SprtText(test, "the first", "the second");
         SprtText.Unused none = new SprtText.Unused(0, 0, 0);
         switch (report) {
-            case JSON -> Json.print(streams, out -> text.json(out, scores, none));
+            case JSON -> Json.print(streams, text.fields(scores, none));
             case LINE -> streams.out().println(text.lines(scores, none, streams.outColour()).get(1));
             default -> text.lines(scores, none, streams.outColour()).forEach(streams.out()::println);
         }
@@ -239,11 +238,8 @@ public final class SprtRun {
     private void tell() {
         SprtText.Unused unused = new SprtText.Unused(without, allFailed, repeats);
         switch (report) {
-            case JSON -> Json.print(streams, out -> {
-                text.json(out, scores, unused);
-                JsonObject.writeTexts(out, "choosers", choosers);
-                FailureReport.json(out, failures.kinds());
-            });
+            case JSON -> Json.print(streams, text.fields(scores, unused).with("choosers", choosers,
+                "failures", FailureReport.json(failures.kinds())));
             case LINE -> streams.out().println(text.lines(scores, unused, streams.outColour()).get(1)
                 + (choosers.isEmpty() ? "" : "; " + SeedFileOption.flag(choosers)));
             default -> {

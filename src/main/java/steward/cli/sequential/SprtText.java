@@ -2,16 +2,14 @@ package steward.cli.sequential;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Collectors;
 import steward.cli.streams.Colour;
-import steward.json.JsonNumbers;
 import steward.league.sequential.ExpectedLength;
 import steward.league.sequential.Gsprt;
 import steward.league.sequential.ScoreCounts;
 import steward.league.sequential.StoppedRange;
+import steward.report.Fields;
 import steward.text.TextFormat;
-import tools.jackson.core.JsonGenerator;
 
 /** Text and JSON about the state of a sequential test. */
 record SprtText(Gsprt test, String one, String other) {
@@ -26,7 +24,19 @@ record SprtText(Gsprt test, String one, String other) {
      * @param allFailed in a game of which all players failed in the same turn
      * @param repeats   that only repeat games
      */
-    record Unused(long without, long allFailed, long repeats) { }
+    record Unused(long without, long allFailed, long repeats) {
+
+        /** @param ofRepeats what becomes of those that only repeat games */
+        String text(String ofRepeats) {
+            return text(without, " without a result left out")
+                + text(allFailed, " left out in which all players failed in the same turn")
+                + text(repeats, " that only repeat games" + ofRepeats);
+        }
+
+        private static String text(long seeds, String what) {
+            return seeds == 0 ? "" : ", " + TextFormat.count(seeds, "seed") + what;
+        }
+    }
 
     /** Elo by the mean score, nElo by standard deviations: the two are told apart wherever a number stands. */
     private String unit() {
@@ -45,25 +55,26 @@ record SprtText(Gsprt test, String one, String other) {
 
     /** On one line while it is played. */
     String standing(ScoreCounts scores) {
-        return ratio(scores) + ", " + TextFormat.count(scores.observations(), "seed") + ", score "
-            + TextFormat.fixed(scores.mean(), 3) + left(scores);
+        return ratio(test, scores) + ", " + TextFormat.count(scores.observations(), "seed") + ", score "
+            + TextFormat.fixed(scores.mean(), 3) + left(test, test.state(scores), scores, scores.games());
     }
 
-    private String ratio(ScoreCounts scores) {
+    static String ratio(Gsprt test, ScoreCounts scores) {
         return "LLR " + TextFormat.fixed(test.ratio(scores), 2) + " (" + TextFormat.fixed(test.lower(), 2) + " to "
             + TextFormat.fixed(test.upper(), 2) + ")";
     }
 
-    private String left(ScoreCounts scores) {
-        return test.state(scores) != Gsprt.State.OPEN || scores.observations() == 0 ? ""
-            : ", about " + TextFormat.count(expectedGames(scores), "game") + " left";
+    /** {@code , about 200 games left} of an open test, or nothing. @param games of a seed */
+    static String left(Gsprt test, Gsprt.State state, ScoreCounts scores, int games) {
+        return state != Gsprt.State.OPEN || scores.observations() == 0 ? ""
+            : ", about " + TextFormat.count(gamesLeft(test, scores, games), "game") + " left";
     }
 
     /** Games that are to be expected until it ends, if things go on as they went. */
-    private long expectedGames(ScoreCounts scores) {
+    static long gamesLeft(Gsprt test, ScoreCounts scores, int games) {
         long least = Math.max(1, Gsprt.LEAST - scores.observations());
-        double expected = ExpectedLength.of(test, scores, test.ratio(scores)).observations();
-        return Math.round(scores.games() * Math.max(least, expected));
+        return Math.round(games * Math.max(least,
+            ExpectedLength.of(test, scores, test.ratio(scores)).observations()));
     }
 
     /** Returns how it ended or stands. */
@@ -78,14 +89,10 @@ record SprtText(Gsprt test, String one, String other) {
             case OPEN -> "not decided";
         };
         lines.add(heading());
-        lines.add(colour.strong(ratio(scores) + ": " + result) + (unused.repeats() > 0 ? "" : left(scores)));
+        lines.add(colour.strong(ratio(test, scores) + ": " + result) + (unused.repeats() > 0 ? ""
+            : left(test, state, scores, scores.games())));
         lines.add(TextFormat.count(scores.observations(), "seed") + ", "
-            + TextFormat.count(scores.observations() * scores.games(), "game") + (unused.without() == 0 ? ""
-            : ", " + TextFormat.count(unused.without(), "seed") + " without a result left out")
-            + (unused.allFailed() == 0 ? "" : ", " + TextFormat.count(unused.allFailed(), "seed")
-            + " left out in which all players failed in the same turn")
-            + (unused.repeats() == 0 ? "" : ", " + TextFormat.count(unused.repeats(), "seed")
-            + " that only repeat games left out"));
+            + TextFormat.count(scores.observations() * scores.games(), "game") + unused.text(" left out"));
         lines.add("Scores by seed: " + scores.counts().entrySet().stream().filter(each -> each.getValue() > 0)
             .map(each -> TextFormat.number(each.getKey(), 3) + " " + each.getValue() + " times")
             .collect(Collectors.joining(", ")));
@@ -120,46 +127,32 @@ record SprtText(Gsprt test, String one, String other) {
         return text.startsWith("-") || Double.parseDouble(text) == 0 ? text : "+" + text;
     }
 
-    void json(JsonGenerator out, ScoreCounts scores, Unused unused) {
-        out.writeStringProperty("state", test.state(scores).name());
-        out.writeStringProperty("model", test.model().name().toLowerCase(Locale.ROOT));
-        out.writeNumberProperty("elo0", test.elo0());
-        out.writeNumberProperty("elo1", test.elo1());
-        out.writeNumberProperty("llr", test.ratio(scores));
-        out.writeNumberProperty("lower", test.lower());
-        out.writeNumberProperty("upper", test.upper());
-        out.writeNumberProperty("seeds", scores.observations());
-        out.writeNumberProperty("gamesOfSeed", scores.games());
-        out.writeNumberProperty("without", unused.without());
-        out.writeNumberProperty("allFailed", unused.allFailed());
-        out.writeNumberProperty("repeats", unused.repeats());
-        out.writeArrayPropertyStart("scores");
-        scores.counts().forEach((score, count) -> {
-            out.writeStartArray();
-            out.writeNumber(score);
-            out.writeNumber(count);
-            out.writeEndArray();
-        });
-        out.writeEndArray();
+    Fields fields(ScoreCounts scores, Unused unused) {
+        Fields fields = Fields.of("state", test.state(scores).name(), "model", test.model(),
+            "elo0", Fields.decimal(test.elo0()), "elo1", Fields.decimal(test.elo1()))
+            .and(fields(test, scores, scores.games(), unused))
+            .with("scores", Fields.each(scores.counts().entrySet(),
+                each -> List.of(Fields.decimal(each.getKey()), each.getValue())));
         if (scores.observations() > 1) {
-            out.writeNumberProperty("score", scores.mean());
             StoppedRange found = test.range(scores);
             boolean isVoid = isVoid(found);
             String elo = test.model() == Gsprt.Model.NORMALIZED ? "nElo" : "elo";
-            out.writeNumberProperty("level", 1 - (test.alpha() + test.beta()));
-            write(out, "scoreLow", isVoid, found.scoreLow());
-            write(out, "scoreHigh", isVoid, found.scoreHigh());
-            write(out, elo, isVoid, found.elo());
-            write(out, elo + "Low", isVoid, found.low());
-            write(out, elo + "High", isVoid, found.high());
-            write(out, "superiority", isVoid, found.superiority());
+            fields.with("score", Fields.decimal(scores.mean()),
+                "level", Fields.decimal(1 - (test.alpha() + test.beta())),
+                "scoreLow", isVoid ? null : found.scoreLow(), "scoreHigh", isVoid ? null : found.scoreHigh(),
+                elo, isVoid ? null : found.elo(), elo + "Low", isVoid ? null : found.low(),
+                elo + "High", isVoid ? null : found.high(), "superiority", isVoid ? null : found.superiority());
             if (test.state(scores) == Gsprt.State.OPEN) {
-                out.writeNumberProperty("gamesLeft", expectedGames(scores));
+                fields.with("gamesLeft", gamesLeft(test, scores, scores.games()));
             }
         }
+        return fields;
     }
 
-    private static void write(JsonGenerator out, String name, boolean isVoid, double value) {
-        JsonNumbers.writeOrNull(out, name, isVoid || Double.isInfinite(value) ? Double.NaN : value);
+    /** Ratio and counts. @param games of a seed */
+    static Fields fields(Gsprt test, ScoreCounts scores, int games, Unused unused) {
+        return Fields.of("llr", Fields.decimal(test.ratio(scores)), "lower", Fields.decimal(test.lower()),
+            "upper", Fields.decimal(test.upper()), "seeds", scores.observations(), "gamesOfSeed", games,
+            "without", unused.without(), "allFailed", unused.allFailed(), "repeats", unused.repeats());
     }
 }

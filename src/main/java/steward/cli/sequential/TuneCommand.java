@@ -45,7 +45,6 @@ import steward.contest.seeds.Seeds;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
-import steward.json.JsonObject;
 import steward.league.sequential.Gsprt;
 import steward.league.tune.Spsa;
 import steward.league.tune.TunedCommand;
@@ -264,12 +263,9 @@ public final class TuneCommand extends ProgramCommand {
                 + "whatever the seed is, and the values differ in nothing that is seen");
         }
         if (json) {
-            Json.print(streams, out -> {
-                TuneJson.write(out, command, search, tied, search.step() >= LEAST_STEPS);
-                JsonObject.writeTexts(out, "choosers", choosers);
-                FailureReport.json(out, failures.values().stream().flatMap(each -> each.counts().kinds().stream())
-                    .toList());
-            });
+            Json.print(streams, TuneJson.of(command, search, tied, search.step() >= LEAST_STEPS).with(
+                "choosers", choosers, "failures", FailureReport.json(failures.values().stream()
+                    .flatMap(each -> each.counts().kinds().stream()).toList())));
         }
         if (search.step() < LEAST_STEPS) {
             if (json) {

@@ -8,7 +8,7 @@ import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Colour;
 import steward.cli.streams.Json;
-import steward.json.JsonObject;
+import steward.report.Fields;
 import steward.text.TextFormat;
 
 /** {@code steward doctor}: reports what works on this machine. */
@@ -29,7 +29,9 @@ public final class DoctorCommand extends ProgramCommand {
     public Integer call() throws InterruptedException {
         List<Checkup.Item> items = Checkup.all();
         if (json) {
-            print(items);
+            Json.print(streams, Fields.of("works", items.stream().allMatch(Checkup.Item::works),
+                "items", Fields.each(items, item -> Fields.of("about", item.about(), "name", item.name(),
+                    "works", item.works(), "detail", item.detail()))));
             return ExitStatus.DONE;
         }
         PrintStream out = streams.out();
@@ -47,17 +49,5 @@ public final class DoctorCommand extends ProgramCommand {
                 + TextFormat.left(item.name(), NAME) + detail);
         }
         return ExitStatus.DONE;
-    }
-
-    private void print(List<Checkup.Item> items) {
-        Json.print(streams, out -> {
-            out.writeBooleanProperty("works", items.stream().allMatch(Checkup.Item::works));
-            JsonObject.writeAll(out, "items", items, item -> {
-                out.writeStringProperty("about", item.about());
-                out.writeStringProperty("name", item.name());
-                out.writeBooleanProperty("works", item.works());
-                out.writeStringProperty("detail", item.detail());
-            });
-        });
     }
 }

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 import steward.json.JsonNumbers;
 import steward.replay.page.UnclosedOutputStream;
+import steward.report.Fields;
 import steward.text.TextFormat;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
@@ -21,7 +22,8 @@ import tools.jackson.core.json.JsonFactory;
 
 /**
  * Reader of small JSON values without the start-up cost of a data-binding library, and builder of the objects that
- * commands print. Read objects are maps in their written order, arrays are lists, numbers are doubles, null is null.
+ * commands print. Read objects are maps in their written order, arrays are lists, numbers are doubles, null is null; a
+ * number such as 1e999, of which a double is not finite, is {@link Fields.Raw}.
  */
 public final class Json {
 
@@ -72,6 +74,11 @@ public final class Json {
     }
 
     /** Prints one object on a line of its own. */
+    public static void print(Streams streams, Fields fields) {
+        print(streams.out(), fields::write);
+    }
+
+    /** As above, of fields that write themselves. */
     public static void print(Streams streams, Consumer<JsonGenerator> fields) {
         print(streams.out(), fields);
     }
@@ -84,30 +91,6 @@ public final class Json {
             out.writeEndObject();
         }
         to.print('\n');
-    }
-
-    /** Writes a value that was read here; whole numbers without a point. */
-    public static void write(JsonGenerator out, Object value) {
-        if (value instanceof Map<?, ?> fields) {
-            out.writeStartObject();
-            fields.forEach((name, each) -> {
-                out.writeName((String) name);
-                write(out, each);
-            });
-            out.writeEndObject();
-        } else if (value instanceof List<?> list) {
-            out.writeStartArray();
-            list.forEach(each -> write(out, each));
-            out.writeEndArray();
-        } else if (value instanceof Double number) {
-            JsonNumbers.write(out, number);
-        } else if (value instanceof BeyondDouble number) {
-            out.writeRawValue(number.text());
-        } else if (value instanceof Boolean flag) {
-            out.writeBoolean(flag);
-        } else {
-            out.writeString((String) value);
-        }
     }
 
     private static Map<String, Object> object(JsonParser in) {
@@ -142,16 +125,7 @@ public final class Json {
 
     private static Object number(JsonParser in) {
         double number = in.getDoubleValue();
-        return Double.isFinite(number) ? (Object) number : new BeyondDouble(number, in.getString());
-    }
-
-    /** A number such as 1e999, of which a double is not finite: it is written as it was read. */
-    private record BeyondDouble(double value, String text) {
-
-        @Override
-        public String toString() {
-            return text;
-        }
+        return Double.isFinite(number) ? (Object) number : new Fields.Raw(in.getString());
     }
 
     /** The objects of an array; empty if it is missing. */
@@ -163,7 +137,7 @@ public final class Json {
     /** A number, or NaN if there is none. */
     public static double number(Object value) {
         return value instanceof Double number ? number
-            : value instanceof BeyondDouble beyond ? beyond.value() : Double.NaN;
+            : value instanceof Fields.Raw beyond ? Double.parseDouble(beyond.json()) : Double.NaN;
     }
 
     /** A scalar as readable text; {@code -} for nothing. */

@@ -19,7 +19,6 @@ import java.util.stream.Collectors;
 import steward.cli.options.WatchOptions;
 import steward.cli.streams.Streams;
 import steward.files.Resources;
-import steward.json.JsonNumbers;
 import steward.json.JsonObject;
 import steward.league.StoredGame;
 import steward.league.page.LeaguePage;
@@ -27,6 +26,7 @@ import steward.live.StatusServer;
 import steward.replay.ReplayException;
 import steward.replay.page.PageTemplate;
 import steward.replay.page.ReplayPage;
+import steward.report.Fields;
 import steward.text.TextFormat;
 
 /**
@@ -92,10 +92,8 @@ final class ProjectorWall implements AutoCloseable {
         String script = Resources.text(FOLDER + "wall.js");
         String style = Resources.text(FOLDER + "wall.css");
         ReplayPage.Shell shell = ReplayPage.shell();
-        String data = LeaguePage.inScript(JsonObject.text(out -> {
-            out.writeStringProperty("before", shell.before());
-            out.writeStringProperty("after", shell.after());
-        }));
+        String data = LeaguePage.inScript(JsonObject.text(Fields.of("before", shell.before(), "after",
+            shell.after())::write));
         return ("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta "
             + "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src "
             + PageTemplate.hash(script) + " " + shell.scriptHash() + "; style-src " + PageTemplate.hash(style) + " "
@@ -175,22 +173,12 @@ final class ProjectorWall implements AutoCloseable {
     private void show() {
         shown = System.nanoTime();
         Scores scores = table == null ? null : table.apply(played);
-        server.show(JsonObject.text(out -> {
-            out.writeStringProperty("says", TextFormat.plain(says));
-            out.writeBooleanProperty("over", over);
-            out.writeNumberProperty("game", kept.size());
-            out.writeStringProperty("title", kept.isEmpty() ? "" : kept.get(kept.size() - 1).seats().stream()
-                .map(seat -> played.names().get(seat.version())).collect(Collectors.joining(" against ")));
-            JsonObject.writeAll(out, "rows", scores == null ? List.<Scores.Row>of() : scores.rows(), row -> {
-                out.writeNumberProperty("place", row.place());
-                out.writeStringProperty("name", row.name());
-                JsonNumbers.write(out, "points", row.points());
-                out.writeNumberProperty("games", row.games());
-                out.writeNumberProperty("won", row.wins());
-                out.writeNumberProperty("drawn", row.draws());
-                out.writeNumberProperty("lost", row.losses());
-            });
-        }));
+        server.show(JsonObject.text(Fields.of("says", TextFormat.plain(says), "over", over, "game", kept.size(),
+            "title", kept.isEmpty() ? "" : kept.get(kept.size() - 1).seats().stream()
+                .map(seat -> played.names().get(seat.version())).collect(Collectors.joining(" against ")),
+            "rows", scores == null ? List.of() : Fields.each(scores.rows(), row -> Fields.of("place", row.place(),
+                "name", row.name(), "points", row.points(), "games", row.games(), "won", row.wins(),
+                "drawn", row.draws(), "lost", row.losses())))::write));
     }
 
     @Override

@@ -10,14 +10,11 @@ import java.util.TreeMap;
 import java.util.function.ToIntFunction;
 import java.util.stream.IntStream;
 import steward.cli.league.view.OwnValues;
-import steward.json.JsonNumbers;
-import steward.json.JsonObject;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
 import steward.league.rating.LeagueTable;
-import steward.text.CsvRow;
+import steward.report.Table;
 import steward.text.TextFormat;
-import tools.jackson.core.JsonGenerator;
 
 /**
  * Table of a tournament, by points. A game gives 1 point to its winner and 1/2 for a draw; among several players, the
@@ -194,36 +191,17 @@ record Scores(List<Row> rows, String rule) {
         }
     }
 
-    /** The table for a terminal. */
-    List<String> lines() {
-        int width = rows.stream().mapToInt(row -> row.name().length()).max().orElse(0);
-        int column = Math.min(WIDEST, Math.max("program".length(), width)) + 2;
-        List<String> lines = new ArrayList<>(List.of("  # " + TextFormat.left("program", column)
-            + " points  games    won  drawn   lost  failed" + (isSwiss() ? "  Buchholz" : "")));
-        for (Row row : rows) {
-            lines.add(TextFormat.right("" + row.place(), 3) + " "
-                + TextFormat.left(TextFormat.plain(TextFormat.shorten(row.name(), WIDEST)), column)
-                + TextFormat.right(points(row.points()), 7) + TextFormat.right("" + row.games(), 7)
-                + TextFormat.right("" + row.wins(), 7) + TextFormat.right("" + row.draws(), 7)
-                + TextFormat.right("" + row.losses(), 7) + TextFormat.right("" + row.failed(), 8)
-                + (isSwiss() ? TextFormat.right(points(row.tie()), 10) : ""));
-        }
-        return lines;
-    }
-
-    /** The field {@code scores}. */
-    void json(JsonGenerator out) {
-        JsonObject.writeAll(out, "scores", rows, row -> {
-            out.writeNumberProperty("place", row.place());
-            out.writeStringProperty("name", row.name());
-            out.writeNumberProperty("games", row.games());
-            out.writeNumberProperty("won", row.wins());
-            out.writeNumberProperty("drawn", row.draws());
-            out.writeNumberProperty("lost", row.losses());
-            out.writeNumberProperty("failed", row.failed());
-            JsonNumbers.write(out, "points", row.points());
-            JsonNumbers.write(out, "tie", row.tie());
-        });
+    /** The columns for a terminal and JSON. */
+    Table<Row> table() {
+        Table<Row> table = new Table<Row>().value("place", Row::place).shown("  #", 3)
+            .value("name", Row::name)
+            .left("program", 1, row -> TextFormat.plain(TextFormat.shorten(row.name(), WIDEST)))
+            .right("points", 9, row -> points(row.points()))
+            .value("games", Row::games).shown("games", 7).value("won", Row::wins).shown("won", 7)
+            .value("drawn", Row::draws).shown("drawn", 7).value("lost", Row::losses).shown("lost", 7)
+            .value("failed", Row::failed).shown("failed", 8)
+            .value("points", Row::points).value("tie", Row::tie);
+        return isSwiss() ? table.right("Buchholz", 10, row -> points(row.tie())) : table;
     }
 
     /** The table with ratings and the games' own values, as comma-separated values. */
@@ -232,16 +210,14 @@ record Scores(List<Row> rows, String rule) {
         played.games().forEach(own::add);
         Map<Integer, LeagueTable.Row> rated = new HashMap<>();
         ratings.rows().forEach(row -> rated.put(row.entry().version(), row));
-        StringBuilder lines = new StringBuilder(new CsvRow().words("place", "program", "points", "games", "won",
-            "drawn", "lost", "failed", "tie", "rating", "bar").words(own.heads()).line());
-        for (Row row : rows) {
-            LeagueTable.Row rating = rated.get(row.version());
-            lines.append(new CsvRow().words("" + row.place(), row.name(), points(row.points()), "" + row.games(),
-                "" + row.wins(), "" + row.draws(), "" + row.losses(), "" + row.failed(), points(row.tie()),
-                TextFormat.number(rating.rating(), 1), rating.hasBar() ? TextFormat.number(rating.bar(), 1) : "")
-                .words(own.cells(row.version())).line());
-        }
-        return lines.toString();
+        return own.addTo(new Table<Row>().value("place", Row::place).value("program", Row::name)
+            .value("points", row -> points(row.points())).value("games", Row::games).value("won", Row::wins)
+            .value("drawn", Row::draws).value("lost", Row::losses).value("failed", Row::failed)
+            .value("tie", row -> points(row.tie()))
+            .value("rating", row -> TextFormat.number(rated.get(row.version()).rating(), 1))
+            .value("bar", row -> rated.get(row.version()).hasBar()
+                ? TextFormat.number(rated.get(row.version()).bar(), 1) : ""), Row::version)
+            .csv(rows, number -> TextFormat.number(number, 6));
     }
 
     /** Points as they are written: one digit behind the point, two where several play. */

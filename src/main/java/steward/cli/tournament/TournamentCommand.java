@@ -38,7 +38,6 @@ import steward.contest.KeptReplays;
 import steward.contest.seeds.SeedFile;
 import steward.files.InputException;
 import steward.files.OutputFiles;
-import steward.json.JsonObject;
 import steward.league.FolderLock;
 import steward.league.LeagueBot;
 import steward.league.LeagueFolder;
@@ -52,6 +51,7 @@ import steward.league.play.Roster;
 import steward.league.rating.LeagueTable;
 import steward.match.OwnLimits;
 import steward.match.Protocol;
+import steward.report.Fields;
 import steward.scene.Scene;
 import steward.scene.SceneFiles;
 import steward.text.TextFormat;
@@ -387,24 +387,17 @@ public final class TournamentCommand extends ProgramCommand {
         }
         new IndexPage(entries, scores, notes).write(into.resolve(INDEX));
         if (json) {
-            Json.print(streams, out -> {
-                out.writeStringProperty("folder", into.toString());
-                JsonObject.writeAll(out, "programs", entries, entry -> {
-                    out.writeStringProperty("name", entry.name());
-                    out.writeBooleanProperty("ready", entry.isReady());
-                    out.writeStringProperty("standing", entry.standing());
-                });
-                scores.json(out);
-                LeagueJson.table(out, played.season(), ratings, List.of());
-                out.writeStringProperty("flag", flag);
-            });
+            Json.print(streams, Fields.of("folder", into, "programs", Fields.each(entries, entry -> Fields.of(
+                "name", entry.name(), "ready", entry.isReady(), "standing", entry.standing())),
+                "scores", scores.table().json(scores.rows()))
+                .and(LeagueJson.table(played.season(), ratings, List.of())).with("flag", flag));
         }
         for (Entry entry : entries) {
             AuthorPage.of(entry, played, league.replays()).write(page(into, entry));
         }
         leaguePage(played, ratings, league, into.resolve("league.html"));
         if (!json) {
-            scores.lines().forEach(streams.out()::println);
+            scores.table().lines(scores.rows()).forEach(streams.out()::println);
             notes.forEach(streams.out()::println);
             streams.out().println("Written: " + into.resolve(INDEX) + ", league.html, table.csv, and a page for "
                 + "each author in " + PAGES);

@@ -5,10 +5,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import steward.json.JsonNumbers;
-import steward.json.JsonObject;
+import steward.report.Fields;
+import steward.report.MeanValue;
+import steward.report.Table;
 import steward.text.TextFormat;
-import tools.jackson.core.JsonGenerator;
 
 /**
  * Account of the games that one bot lost. It has how they ended, from which turn the bot was behind to the end, the
@@ -26,8 +26,8 @@ public final class Losses {
 
     private final String bot;
     private final Map<String, List<Game>> kinds = new TreeMap<>();
-    private final Map<String, Mean> won = new TreeMap<>();
-    private final Map<String, Mean> lost = new TreeMap<>();
+    private final Map<String, MeanValue> won = new TreeMap<>();
+    private final Map<String, MeanValue> lost = new TreeMap<>();
     private int wins;
     private int draws;
     private int losses;
@@ -61,28 +61,6 @@ public final class Losses {
     public record Game(String name, Outcome outcome, String kind, int turns, int behindFrom, double score,
                        double winner, Map<String, Double> values, String replay) { }
 
-    /** Mean and spread of a value (Welford 1962). */
-    private static final class Mean {
-        private long count;
-        private double mean;
-        private double squares;
-
-        private void add(double value) {
-            count++;
-            double before = value - mean;
-            mean += before / count;
-            squares += before * (value - mean);
-        }
-
-        private String text() {
-            return TextFormat.fixed(mean, 2) + " ± " + TextFormat.fixed(deviation(), 2);
-        }
-
-        private double deviation() {
-            return count < 2 ? Double.NaN : Math.sqrt(squares / (count - 1));
-        }
-    }
-
     /** None yet of a bot. @param lower whether a lower score is better */
     public Losses(String bot, boolean lower) {
         this.bot = bot;
@@ -105,16 +83,16 @@ public final class Losses {
             }
         }
         if (game.outcome() != Outcome.DRAWN) {
-            Map<String, Mean> means = game.outcome() == Outcome.WON ? won : lost;
+            Map<String, MeanValue> means = game.outcome() == Outcome.WON ? won : lost;
             add(means, "score", game.score());
             add(means, "turns", game.turns());
             game.values().forEach((name, value) -> add(means, name, value));
         }
     }
 
-    private static void add(Map<String, Mean> means, String name, double value) {
+    private static void add(Map<String, MeanValue> means, String name, double value) {
         if (Double.isFinite(value)) {
-            means.computeIfAbsent(name, any -> new Mean()).add(value);
+            means.computeIfAbsent(name, any -> new MeanValue()).add(value);
         }
     }
 
@@ -185,16 +163,8 @@ public final class Losses {
             lines.add("  Of " + TextFormat.count(skippedWon, "won game") + " no replay was read: what bots reported in "
                 + "them is not known.");
         }
-        lines.add(TextFormat.left("value", NAME) + TextFormat.right("in " + TextFormat.count(losses, "lost game"),
-            COLUMN) + TextFormat.right("in " + TextFormat.count(wins, "won game"), COLUMN));
-        names().stream().limit(VALUES).forEach(name -> lines.add(TextFormat.left(TextFormat.plain(
-            TextFormat.shorten(name, NAME)), NAME) + TextFormat.right(text(lost.get(name)), COLUMN)
-            + TextFormat.right(text(won.get(name)), COLUMN)));
+        lines.addAll(values().lines(names().stream().limit(VALUES).toList()));
         return lines;
-    }
-
-    private static String text(Mean mean) {
-        return mean == null ? "-" : mean.text();
     }
 
     /** Median and range. */
@@ -203,38 +173,32 @@ public final class Losses {
             : "median " + sorted[sorted.length / 2] + " (" + sorted[0] + " to " + sorted[sorted.length - 1] + ")";
     }
 
-    /** Writes the account as fields. */
-    public void json(JsonGenerator out) {
-        out.writeStringProperty("bot", bot);
-        out.writeNumberProperty("won", wins);
-        out.writeNumberProperty("drawn", draws);
-        out.writeNumberProperty("lost", losses);
-        out.writeNumberProperty("unread", skipped);
-        out.writeNumberProperty("unreadWon", skippedWon);
-        out.writeNumberProperty("repeats", repeats);
-        JsonObject.writeAll(out, "kinds", byNumber(), games -> {
-            Game worst = worst(games);
-            out.writeStringProperty("kind", worst.kind());
-            out.writeNumberProperty("games", games.size());
-            int[] turns = behind(games);
-            JsonNumbers.writeOrNull(out, "behindFromMedian", turns.length == 0 ? Double.NaN : turns[turns.length / 2]);
-            out.writeStringProperty("worst", worst.name());
-            out.writeNumberProperty("turns", worst.turns());
-            JsonNumbers.writeOrNull(out, "behindFrom", worst.behindFrom() == LeadLog.UNKNOWN ? Double.NaN
-                : worst.behindFrom());
-            JsonNumbers.writeOrNull(out, "score", worst.score());
-            JsonNumbers.writeOrNull(out, "winner", worst.winner());
-            out.writeStringProperty("replay", worst.replay());
-        });
-        JsonObject.writeAll(out, "values", names(), name -> {
-            out.writeStringProperty("name", name);
-            write(out, "lost", lost.get(name));
-            write(out, "won", won.get(name));
-        });
+    /** The account for programs. */
+    public Fields fields() {
+        return Fields.of("bot", bot, "won", wins, "drawn", draws, "lost", losses, "unread", skipped,
+            "unreadWon", skippedWon, "repeats", repeats, "kinds", Fields.each(byNumber(), games -> {
+                Game worst = worst(games);
+                int[] turns = behind(games);
+                return Fields.of("kind", worst.kind(), "games", games.size(),
+                    "behindFromMedian", turns.length == 0 ? null : turns[turns.length / 2], "worst", worst.name(),
+                    "turns", worst.turns(), "behindFrom", worst.behindFrom() == LeadLog.UNKNOWN ? null
+                    : worst.behindFrom(), "score", worst.score(), "winner", worst.winner(), "replay", worst.replay());
+            }), "values", values().json(names()));
     }
 
-    private static void write(JsonGenerator out, String name, Mean mean) {
-        JsonNumbers.writeOrNull(out, name + "Mean", mean == null ? Double.NaN : mean.mean);
-        JsonNumbers.writeOrNull(out, name + "Deviation", mean == null ? Double.NaN : mean.deviation());
+    private Table<String> values() {
+        return new Table<String>().value("name", name -> name)
+            .left("value" + " ".repeat(NAME - "value".length()), 0, name -> TextFormat.plain(TextFormat.shorten(name,
+                NAME)))
+            .value("lostMean", name -> mean(lost, name).mean())
+            .value("lostDeviation", name -> mean(lost, name).deviation())
+            .right("in " + TextFormat.count(losses, "lost game"), COLUMN, name -> mean(lost, name).text())
+            .value("wonMean", name -> mean(won, name).mean())
+            .value("wonDeviation", name -> mean(won, name).deviation())
+            .right("in " + TextFormat.count(wins, "won game"), COLUMN, name -> mean(won, name).text());
+    }
+
+    private static MeanValue mean(Map<String, MeanValue> means, String name) {
+        return means.getOrDefault(name, new MeanValue());
     }
 }

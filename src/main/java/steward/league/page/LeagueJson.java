@@ -3,18 +3,15 @@ package steward.league.page;
 import java.util.Arrays;
 import java.util.List;
 import java.util.TreeMap;
-import java.util.function.BiConsumer;
+import java.util.function.BiFunction;
 import java.util.function.Function;
-import java.util.stream.IntStream;
-import steward.json.JsonNumbers;
-import steward.json.JsonObject;
 import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.rating.Difference;
 import steward.league.rating.LeagueTable;
 import steward.league.rating.LeagueTable.Row;
-import steward.league.rating.RatingPath;
-import tools.jackson.core.JsonGenerator;
+import steward.report.Fields;
+import steward.report.Table;
 
 /** League as JSON, for programs and for its own page. */
 public final class LeagueJson {
@@ -27,64 +24,28 @@ public final class LeagueJson {
 
     private LeagueJson() { }
 
-    /** The fields of the table: the season, games, bots by rank, and the crosstable by the same order, workers. */
-    public static void table(JsonGenerator out, Season season, LeagueTable table, List<WorkerRow> workers) {
-        out.writeStringProperty("scene", season.sceneName());
-        out.writeStringProperty("sceneKey", season.sceneKey());
-        out.writeStringProperty("limits", season.limits());
-        out.writeNumberProperty("players", season.players());
-        out.writeNumberProperty("games", table.results().games());
-        out.writeNumberProperty("repeats", table.results().repeats());
-        out.writeNumberProperty("again", table.results().playedAgain());
-        out.writeNumberProperty("without", table.results().withoutResult());
-        out.writeNumberProperty("forgiven", table.results().forgiven());
-        out.writeName("anchor");
-        if (table.reference().anchor() < 0) {
-            out.writeNull();
-        } else {
-            out.writeStartArray();
-            out.writeString(table.name(table.reference().anchor()));
-            JsonNumbers.write(out, table.reference().elo());
-            out.writeEndArray();
-        }
-        JsonObject.writeAll(out, "bots", table.rows(), row -> bot(out, table, row));
-        JsonObject.writeTexts(out, "apart", ApartWords.of(table));
-        square(out, "cross", table, (row, column) -> cell(out, table, row, column));
-        square(out, "differences", table, (row, column) -> difference(out, table, row, column));
-        JsonObject.writeEach(out, "surprises", table.surprises(), each -> {
-            out.writeStartArray();
-            out.writeNumber(each.row());
-            out.writeNumber(each.column());
-            JsonNumbers.write(out, each.residual().share());
-            JsonNumbers.write(out, each.residual().expected());
-            JsonNumbers.write(out, each.residual().z());
-            out.writeEndArray();
-        });
-        if (!workers.isEmpty()) {
-            JsonObject.writeAll(out, "workers", workers, worker -> worker(out, worker));
-        }
+    /** The table: the season, games, bots by rank, and the crosstable by the same order, workers. */
+    public static Fields table(Season season, LeagueTable table, List<WorkerRow> workers) {
+        int anchor = table.reference().anchor();
+        Fields fields = Fields.of("scene", season.sceneName(), "sceneKey", season.sceneKey(),
+            "limits", season.limits(), "players", season.players(), "games", table.results().games(),
+            "repeats", table.results().repeats(), "again", table.results().playedAgain(),
+            "without", table.results().withoutResult(), "forgiven", table.results().forgiven(),
+            "anchor", anchor < 0 ? null : List.of(table.name(anchor), table.reference().elo()),
+            "bots", bots(table, false).json(table.rows()), "apart", ApartWords.of(table),
+            "cross", square(table, (row, column) -> cell(table, row, column)),
+            "differences", square(table, (row, column) -> difference(table, row, column)),
+            "surprises", Fields.each(table.surprises(), each -> List.of(each.row(), each.column(),
+                each.residual().share(), each.residual().expected(), each.residual().z())));
+        return workers.isEmpty() ? fields : fields.with("workers", Fields.each(workers, worker -> Fields.of(
+            "name", worker.name(), "state", worker.state(), "games", worker.games(), "aside", worker.aside(),
+            "rate", worker.rate(), "faults", worker.faults(), "repeated", worker.repeated(),
+            "program", worker.version(), "silentMs", worker.silentMs(), "doubts", worker.doubts())));
     }
 
-    private static void square(JsonGenerator out, String name, LeagueTable table,
-                               BiConsumer<Integer, Integer> cell) {
-        JsonObject.writeEach(out, name, table.rows().size(), row -> {
-            out.writeStartArray();
-            IntStream.range(0, table.rows().size()).forEach(column -> cell.accept(row, column));
-            out.writeEndArray();
-        });
-    }
-
-    private static void worker(JsonGenerator out, WorkerRow worker) {
-        out.writeStringProperty("name", worker.name());
-        out.writeStringProperty("state", worker.state());
-        out.writeNumberProperty("games", worker.games());
-        out.writeNumberProperty("aside", worker.aside());
-        JsonNumbers.writeOrNull(out, "rate", worker.rate());
-        out.writeNumberProperty("faults", worker.faults());
-        out.writeNumberProperty("repeated", worker.repeated());
-        out.writeStringProperty("program", worker.version());
-        out.writeNumberProperty("silentMs", worker.silentMs());
-        JsonObject.writeTexts(out, "doubts", worker.doubts());
+    private static Iterable<Object> square(LeagueTable table, BiFunction<Integer, Integer, Object> cell) {
+        int bots = table.rows().size();
+        return Fields.each(bots, row -> Fields.each(bots, column -> cell.apply(row, column)));
     }
 
     /**
@@ -92,123 +53,93 @@ public final class LeagueJson {
      * bar that has only one, or {@code null}. What is not known is {@code null}: of bots that cannot be compared all
      * but the likelihood and the bound. Of more than 100 bots those more than 10 places apart are {@code null}.
      */
-    private static void difference(JsonGenerator out, LeagueTable table, int row, int column) {
-        if (row == column || table.rows().size() > MOST_ALL && Math.abs(row - column) > NEAR) {
-            out.writeNull();
-            return;
-        }
-        difference(out, table.bounded(row, column), table.superiority(row, column));
+    private static Object difference(LeagueTable table, int row, int column) {
+        return row == column || table.rows().size() > MOST_ALL && Math.abs(row - column) > NEAR ? null
+            : difference(table.bounded(row, column), table.superiority(row, column));
     }
 
-    private static void difference(JsonGenerator out, Difference difference, double superiority) {
-        out.writeStartArray();
-        JsonNumbers.writeOrNull(out, Double.isInfinite(difference.elo()) ? Double.NaN : difference.elo());
-        for (double bar : new double[] {difference.isOneSided() ? Difference.MOST_BAR : difference.bar(),
-            difference.anytimeBar()}) {
-            JsonNumbers.writeOrNull(out, known(bar));
-        }
-        JsonNumbers.writeOrNull(out, superiority);
-        JsonNumbers.writeOrNull(out, difference.isOneSided() ? difference.boundElo() : Double.NaN);
-        out.writeEndArray();
+    private static Object difference(Difference difference, double superiority) {
+        return List.of(difference.elo(), difference.isOneSided() ? Double.NaN : known(difference.bar()),
+            known(difference.anytimeBar()), superiority, difference.isOneSided() ? difference.boundElo() : Double.NaN);
     }
 
-    private static void cell(JsonGenerator out, LeagueTable table, int row, int column) {
-        if (row == column || !(table.games(row, column) > 0)) {
-            out.writeNull();
-            return;
-        }
-        out.writeStartArray();
-        JsonNumbers.write(out, table.share(row, column));
-        JsonNumbers.write(out, table.games(row, column));
-        out.writeEndArray();
+    private static Object cell(LeagueTable table, int row, int column) {
+        return row == column || !(table.games(row, column) > 0) ? null
+            : List.of(table.share(row, column), table.games(row, column));
     }
 
     private static double known(double bar) {
         return Difference.isKnown(bar) ? bar : Double.NaN;
     }
 
-    private static void bot(JsonGenerator out, LeagueTable table, Row row) {
-        out.writeNumberProperty("rank", row.rank());
-        out.writeNumberProperty("version", row.entry().version());
-        out.writeStringProperty("name", row.entry().name());
-        out.writeBooleanProperty("active", row.entry().active());
-        out.writeBooleanProperty("random", row.entry().random());
-        out.writeBooleanProperty("paused", row.entry().active() && row.entry().paused());
-        out.writeNumberProperty("group", row.component());
-        JsonNumbers.writeOrNull(out, "rating", row.rating());
-        JsonNumbers.writeOrNull(out, "bar", row.hasBar() ? row.bar() : Double.NaN);
-        JsonNumbers.writeOrNull(out, "bound", row.bound());
-        JsonNumbers.writeOrNull(out, "anytime", known(row.anytime()));
-        out.writeStringProperty("to", row.to() < 0 ? null : table.name(row.to()));
-        out.writeName("difference");
-        difference(out, row.difference(), row.to() < 0 ? Double.NaN
-            : table.ratings().superiority(row.entry().version(), row.to()));
-        out.writeNumberProperty("best", row.best());
-        out.writeNumberProperty("worst", row.worst());
-        out.writeNumberProperty("games", row.sums().games());
-        JsonNumbers.writeOrNull(out, "points", row.points());
-        JsonNumbers.writeOrNull(out, "wins", row.wins());
-        JsonNumbers.writeOrNull(out, "draws", row.draws());
-        JsonNumbers.writeOrNull(out, "losses", row.losses());
-        out.writeNumberProperty("faults", row.sums().faults());
-        out.writeNumberProperty("allFailed", row.sums().allFailed());
-        JsonNumbers.writeOrNull(out, "score", row.sums().meanScore());
-        JsonNumbers.writeOrNull(out, "meanMs", row.sums().meanNanos() / NANOS_PER_MS);
-        JsonNumbers.writeOrNull(out, "worstMs",
-            row.sums().games() == 0 ? Double.NaN : row.sums().worstNanos() / NANOS_PER_MS);
+    /**
+     * Columns of the table of bots.
+     *
+     * @param flat whether a difference takes several columns, as in CSV, and is no array
+     */
+    public static Table<Row> bots(LeagueTable table, boolean flat) {
+        Table<Row> bots = new Table<Row>().value("rank", Row::rank);
+        Function<Row, Object> version = row -> row.entry().version();
+        if (flat) {
+            bots.value("bot", row -> row.entry().name()).value("version", version);
+        } else {
+            bots.value("version", version).value("name", row -> row.entry().name());
+        }
+        bots.value("active", row -> row.entry().active()).value("random", row -> row.entry().random());
+        if (!flat) {
+            bots.value("paused", row -> row.entry().active() && row.entry().paused());
+        }
+        bots.value("group", Row::component).value("rating", Row::rating)
+            .value("bar", row -> row.hasBar() ? row.bar() : Double.NaN).value("bound", Row::bound)
+            .value("anytime", row -> known(row.anytime()))
+            .value("to", row -> row.to() < 0 ? null : table.name(row.to()));
+        if (flat) {
+            bots.value("difference", row -> row.difference().elo())
+                .value("differenceBar", row -> row.difference().isOneSided() ? Double.NaN
+                    : known(row.difference().bar()))
+                .value("differenceBound", row -> row.difference().boundElo())
+                .value("differenceAnytime", row -> known(row.difference().anytimeBar()));
+        } else {
+            bots.value("difference", row -> difference(row.difference(), row.to() < 0 ? Double.NaN
+                : table.ratings().superiority(row.entry().version(), row.to())));
+        }
+        return bots.value("best", Row::best).value("worst", Row::worst).value("games", row -> row.sums().games())
+            .value("points", Row::points).value("wins", Row::wins).value("draws", Row::draws)
+            .value("losses", Row::losses).value("faults", row -> row.sums().faults())
+            .value("allFailed", row -> row.sums().allFailed()).value("score", row -> row.sums().meanScore())
+            .value("meanMs", row -> row.sums().meanNanos() / NANOS_PER_MS)
+            .value("worstMs", row -> row.sums().games() == 0 && !flat ? Double.NaN
+                : row.sums().worstNanos() / NANOS_PER_MS);
     }
 
     /**
-     * Everything that the page shows, as fields.
+     * Everything that the page shows.
      *
      * @param replay how the replay of a game is to be had: {@code live}, {@code page}, or its file; {@code null} for
      *               none
      * @param errors lines of stderr that say why bots failed
      */
-    static void view(JsonGenerator out, LeagueView view, Function<StoredGame, String> replay, ErrorLines errors) {
-        table(out, view.season(), view.table(), view.workers());
-        JsonNumbers.writeOrNull(out, "rate", view.rate());
-        path(out, view.path());
-        out.writeObjectPropertyStart("why");
-        new TreeMap<>(view.why()).forEach((version, lines) ->
-            JsonObject.writeTexts(out, Integer.toString(version), lines));
-        out.writeEndObject();
-        JsonObject.writeAll(out, "list", view.games(), game -> game(out, game, replay.apply(game), errors));
+    static Fields view(LeagueView view, Function<StoredGame, String> replay, ErrorLines errors) {
+        return table(view.season(), view.table(), view.workers()).with("rate", view.rate(),
+            "path", Fields.of("versions", Fields.each(view.path().entries(), LeagueTable.Entry::version),
+                "points", Fields.each(view.path().points(), point -> Fields.of("games", point.games(),
+                    "ratings", numbers(point.ratings()),
+                    "bars", numbers(Arrays.stream(point.bars()).map(LeagueJson::known).toArray())))),
+            "why", new TreeMap<>(view.why()),
+            "list", Fields.each(view.games(), game -> game(game, replay.apply(game), errors)));
     }
 
-    private static void path(JsonGenerator out, RatingPath path) {
-        out.writeObjectPropertyStart("path");
-        JsonObject.writeEach(out, "versions", path.entries(), entry -> out.writeNumber(entry.version()));
-        JsonObject.writeAll(out, "points", path.points(), point -> {
-            out.writeNumberProperty("games", point.games());
-            numbers(out, "ratings", point.ratings());
-            numbers(out, "bars", Arrays.stream(point.bars()).map(LeagueJson::known).toArray());
-        });
-        out.writeEndObject();
+    private static List<Double> numbers(double... values) {
+        return Arrays.stream(values).mapToObj(value -> Math.rint(value * 10) / 10).toList();
     }
 
-    private static void numbers(JsonGenerator out, String name, double... values) {
-        out.writeArrayPropertyStart(name);
-        for (double value : values) {
-            JsonNumbers.writeOrNull(out, Math.rint(value * 10) / 10);
-        }
-        out.writeEndArray();
-    }
-
-    private static void game(JsonGenerator out, StoredGame game, String replay, ErrorLines errors) {
-        out.writeNumberProperty("id", game.id());
-        out.writeStringProperty("seed", Long.toString(game.seed()));
-        out.writeNumberProperty("turns", game.turns());
-        out.writeBooleanProperty("counts", game.counts());
-        out.writeStringProperty("problem", game.problem());
-        out.writeStringProperty("replay", replay);
-        JsonObject.writeAll(out, "seats", game.seats().size(), number -> {
-            StoredGame.StoredSeat seat = game.seats().get(number);
-            out.writeNumberProperty("version", seat.version());
-            out.writeNumberProperty("rank", seat.rank());
-            JsonNumbers.writeOrNull(out, "score", seat.score());
-            out.writeStringProperty("fault", seat.fault());
-            out.writeStringProperty("error", errors.of(game, number));
-        });
+    private static Fields game(StoredGame game, String replay, ErrorLines errors) {
+        return Fields.of("id", game.id(), "seed", Long.toString(game.seed()), "turns", game.turns(),
+            "counts", game.counts(), "problem", game.problem(), "replay", replay,
+            "seats", Fields.each(game.seats().size(), number -> {
+                StoredGame.StoredSeat seat = game.seats().get(number);
+                return Fields.of("version", seat.version(), "rank", seat.rank(), "score", seat.score(),
+                    "fault", seat.fault(), "error", errors.of(game, number));
+            }));
     }
 }

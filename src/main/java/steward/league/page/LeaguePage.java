@@ -57,7 +57,7 @@ public final class LeaguePage {
         Function<StoredGame, String> where = game -> game.replay() == null ? null
             : replays.has(game.id()) ? IN_PAGE : folder.resolve(game.replay()).toString();
         String data = JsonObject.text(out -> {
-            LeagueJson.view(out, view, where, replays.errors());
+            LeagueJson.view(view, where, replays.errors()).write(out);
             replays.write(out, shell);
         });
         page.write(html, out -> out.write(inScript(data).getBytes(StandardCharsets.UTF_8)));
@@ -90,6 +90,6 @@ public final class LeaguePage {
 
     /** Returns the message to an open page: all that it shows, on one line. */
     public static String live(LeagueView view, ErrorLines errors) {
-        return JsonObject.text(out -> LeagueJson.view(out, view, game -> game.replay() == null ? null : LIVE, errors));
+        return JsonObject.text(LeagueJson.view(view, game -> game.replay() == null ? null : LIVE, errors)::write);
     }
 }

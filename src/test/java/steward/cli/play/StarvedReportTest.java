@@ -15,6 +15,7 @@ import steward.bot.TimeBasis;
 import steward.bot.TimeSpent;
 import steward.cli.shared.Games;
 import steward.cli.streams.Colour;
+import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.contest.Contest;
 import steward.contest.Hiccups;
@@ -97,7 +98,7 @@ class StarvedReportTest {
     private static JsonNode json(SeriesPlay play) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         Streams streams = new Streams(out, out, false, false);
-        SeriesJson.print(streams, play.series(), play, List.of(), null);
+        Json.print(streams, SeriesJson.of(play.series(), play, List.of(), null));
         streams.out().flush();
         return JsonMapper.shared().readTree(out.toString(StandardCharsets.UTF_8));
     }

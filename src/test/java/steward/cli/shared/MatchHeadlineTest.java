@@ -17,13 +17,13 @@ class MatchHeadlineTest {
     @Test
     void aPlayerAloneHasAScoreAndNoWin() {
         assertEquals("me: finished after 3 laps, score 239.39, 240 turns (search-race, seed 7)",
-            MatchText.headline("search-race", 7, new MatchResult(240, "finished after 3 laps",
+            MatchReport.headline("search-race", 7, new MatchResult(240, "finished after 3 laps",
                 List.of(player("me", 0, 239.39)))));
     }
 
     @Test
     void ofSeveralTheWinnerIsNamed() {
-        assertEquals("b wins: finished after 1 lap, 1 turn (duel, seed 7)", MatchText.headline("duel", 7,
+        assertEquals("b wins: finished after 1 lap, 1 turn (duel, seed 7)", MatchReport.headline("duel", 7,
             new MatchResult(1, "finished after 1 lap", List.of(player("a", 1, 0), player("b", 0, 1)))));
     }
 }

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayOutputStream;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
@@ -12,13 +11,11 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
-import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.league.Season;
 import steward.league.rating.Difference;
 import steward.league.rating.LeagueTable;
 import steward.league.rating.Results;
-import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.ObjectWriteContext;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -69,13 +66,8 @@ class UndecidedPairTest {
     }
 
     private static JsonNode differences(Season season, LeagueTable table) {
-        ByteArrayOutputStream text = new ByteArrayOutputStream();
-        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), text)) {
-            out.writeStartObject();
-            LeagueJson.table(out, season, table, List.of());
-            out.writeEndObject();
-        }
-        return JsonMapper.shared().readTree(text.toByteArray()).get("differences");
+        return JsonMapper.shared().readTree(JsonObject.text(LeagueJson.table(season, table, List.of())::write))
+            .get("differences");
     }
 
     private static LeagueTable.Entry entry(int version) {

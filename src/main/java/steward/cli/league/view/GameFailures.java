@@ -7,7 +7,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import steward.cli.shared.FailureText;
+import steward.cli.shared.FailureReason;
 import steward.cli.shared.Games;
 import steward.contest.Failure;
 import steward.contest.RecordedFailures;
@@ -69,7 +69,7 @@ public final class GameFailures {
 
     private String said(Kind kind) {
         return RecordedFailures.of(Games.types(), replay(replays, kind.example)).stream()
-            .filter(each -> each.player() == kind.player).findFirst().map(FailureText::said).orElse("");
+            .filter(each -> each.player() == kind.player).findFirst().map(FailureReason::said).orElse("");
     }
 
     /** The file of a game's replay, or {@code null}. */
@@ -82,7 +82,7 @@ public final class GameFailures {
         for (Failure failure : RecordedFailures.of(Games.types(), replay)) {
             out.println(TextFormat.plain("         " + names.get(game.seats().get(failure.player()).version())
                 + " failed in turn " + failure.turn() + ": " + failure.reason()));
-            FailureText.print(out, failure, "           ");
+            FailureReason.print(out, failure, "           ");
         }
     }
 }

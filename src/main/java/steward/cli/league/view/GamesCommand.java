@@ -17,21 +17,20 @@ import picocli.CommandLine.Option;
 import steward.cli.options.ProgramCommand;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.FailedException;
-import steward.cli.shared.FailureJson;
+import steward.cli.shared.FailureReason;
 import steward.cli.shared.Games;
+import steward.cli.shared.MatchReport;
 import steward.cli.shared.Pages;
 import steward.cli.streams.Json;
 import steward.contest.Failure;
 import steward.contest.RecordedFailures;
 import steward.files.InputException;
 import steward.files.OutputFiles;
-import steward.json.JsonNumbers;
-import steward.json.JsonObject;
 import steward.league.LeagueFolder;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
+import steward.report.Fields;
 import steward.text.TextFormat;
-import tools.jackson.core.JsonGenerator;
 
 /** {@code steward league games}: lists games and opens their replays. */
 @Command(name = "games", description = "Lists games of a league, the latest first, and opens the replay of one.",
@@ -97,7 +96,7 @@ public final class GamesCommand extends ProgramCommand {
             }
             List<StoredGame> listed = found.subList(0, Math.min(limit, found.size()));
             if (json) {
-                Json.print(streams, out -> json(out, listed, all[0], opened.folder(), names));
+                Json.print(streams, json(listed, all[0], opened.folder(), names));
                 return ExitStatus.DONE;
             }
             for (StoredGame game : listed) {
@@ -145,32 +144,19 @@ public final class GamesCommand extends ProgramCommand {
         return line + (game.counts() && game.allFailed() ? ", not rated since all failed in the same turn" : "");
     }
 
-    private static void json(JsonGenerator out, List<StoredGame> games, int all, LeagueFolder folder,
-                             Map<Integer, String> names) {
-        out.writeNumberProperty("games", all);
-        JsonObject.writeAll(out, "list", games, game -> {
+    private static Fields json(List<StoredGame> games, int all, LeagueFolder folder, Map<Integer, String> names) {
+        return Fields.of("games", all, "list", Fields.each(games, game -> {
             Path replay = GameFailures.replay(folder.replays(), game);
             List<Failure> failures = RecordedFailures.of(Games.types(), replay);
-            out.writeNumberProperty("game", game.id());
-            out.writeStringProperty("seed", Long.toString(game.seed()));
-            out.writeStringProperty("played", Instant.ofEpochMilli(game.played()).toString());
-            out.writeNumberProperty("turns", game.turns());
-            out.writeBooleanProperty("counts", game.counts());
-            out.writeBooleanProperty("allFailed", game.allFailed());
-            out.writeStringProperty("problem", game.problem());
-            out.writeStringProperty("replay", replay == null ? null : replay.toString());
-            JsonObject.writeAll(out, "seats", game.seats().size(), player ->
-                seat(out, player, game.seats().get(player), names, failures));
-        });
-    }
-
-    private static void seat(JsonGenerator out, int player, StoredSeat seat, Map<Integer, String> names,
-                             List<Failure> failures) {
-        out.writeStringProperty("bot", names.get(seat.version()));
-        out.writeNumberProperty("rank", seat.rank());
-        JsonNumbers.write(out, "score", seat.score());
-        out.writeStringProperty("fault", seat.fault());
-        FailureJson.writeField(out, failures.stream().filter(each -> each.player() == player).findFirst().orElse(null));
+            return Fields.of("game", game.id(), "seed", Long.toString(game.seed()),
+                "played", Instant.ofEpochMilli(game.played()), "turns", game.turns(), "counts", game.counts(),
+                "allFailed", game.allFailed(), "problem", game.problem(), "replay", replay,
+                "seats", Fields.each(game.seats().size(), player -> {
+                    StoredSeat seat = game.seats().get(player);
+                    return Fields.of("bot", names.get(seat.version()), "rank", seat.rank(), "score", seat.score(),
+                        "fault", seat.fault(), "failure", FailureReason.fields(MatchReport.of(failures, player)));
+                }));
+        }));
     }
 
     private int show(LeagueOpening.Opened opened, List<StoredGame> found, Map<Integer, String> names)

@@ -12,13 +12,11 @@ import steward.cli.options.SeedFileOption;
 import steward.cli.shared.ExitStatus;
 import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
-import steward.json.JsonObject;
 import steward.league.StoredGame;
 import steward.league.page.LeagueJson;
-import steward.league.rating.Difference;
 import steward.league.rating.LeagueTable;
 import steward.league.rating.Results;
-import steward.text.CsvRow;
+import steward.report.Fields;
 import steward.text.TextFormat;
 
 /** {@code steward league table}: prints ratings and the crosstable. */
@@ -26,8 +24,6 @@ import steward.text.TextFormat;
     footer = {"", "Examples:", "  steward league table night", "  steward league table night --csv > night.csv",
         "  steward league table night --anchor old=1500 --against veteran"})
 public final class TableCommand extends ProgramCommand {
-
-    private static final double NANOS_PER_MS = 1e6;
 
     @Mixin
     private final LeagueArgument league = new LeagueArgument();
@@ -65,15 +61,12 @@ public final class TableCommand extends ProgramCommand {
                 each(opened, own::add);
             }
             if (json) {
-                Json.print(streams, out -> {
-                    LeagueJson.table(out, opened.season(), table, opened.workers());
-                    JsonObject.writeTexts(out, "choosers", opened.choosers());
-                    if (values) {
-                        own.json(out, table);
-                    }
-                });
+                Fields fields = LeagueJson.table(opened.season(), table, opened.workers())
+                    .with("choosers", opened.choosers());
+                Json.print(streams, values ? fields.with("values", own.fields(table)) : fields);
             } else if (csv) {
-                streams.out().print(csv(table, own));
+                streams.out().print(own.addTo(LeagueJson.bots(table, true), row -> row.entry().version())
+                    .csv(table.rows(), number -> TextFormat.number(number, 6)));
             } else if (html) {
                 ByteArrayOutputStream page = new ByteArrayOutputStream();
                 PageCommand.write(opened, table, null, page);
@@ -114,40 +107,5 @@ public final class TableCommand extends ProgramCommand {
         Results results = new Results(opened.season());
         part.each(opened, game -> results.add(game, LeagueTable.Entry.random(opened.entries())));
         return results;
-    }
-
-    /** A line for each bot, below the heads of the columns; the games' own values are the last. */
-    public static String csv(LeagueTable table, OwnValues own) {
-        StringBuilder lines = new StringBuilder(new CsvRow().words("rank", "bot", "version", "active", "random",
-            "group", "rating", "bar", "bound", "anytime", "to", "difference", "differenceBar", "differenceBound",
-            "differenceAnytime", "best", "worst", "games", "points", "wins", "draws", "losses", "faults",
-            "allFailed", "score", "meanMs", "worstMs").words(own.heads()).line());
-        for (LeagueTable.Row row : table.rows()) {
-            lines.append(new CsvRow().words(Integer.toString(row.rank()), row.entry().name(),
-                Integer.toString(row.entry().version()), Boolean.toString(row.entry().active()),
-                Boolean.toString(row.entry().random()), Integer.toString(row.component()), number(row.rating()),
-                row.hasBar() ? number(row.bar()) : "", number(row.bound()), bar(row.anytime()),
-                row.to() < 0 ? "" : table.name(row.to()), finite(row.difference().elo()),
-                row.difference().isOneSided() ? "" : bar(row.difference().bar()), number(row.difference().boundElo()),
-                bar(row.difference().anytimeBar()),
-                Integer.toString(row.best()), Integer.toString(row.worst()),
-                Long.toString(row.sums().games()), number(row.points()), number(row.wins()), number(row.draws()),
-                number(row.losses()), Long.toString(row.sums().faults()), Long.toString(row.sums().allFailed()),
-                number(row.sums().meanScore()), number(row.sums().meanNanos() / NANOS_PER_MS),
-                number(row.sums().worstNanos() / NANOS_PER_MS)).words(own.cells(row.entry().version())).line());
-        }
-        return lines.toString();
-    }
-
-    private static String bar(double bar) {
-        return Difference.isKnown(bar) ? number(bar) : "";
-    }
-
-    private static String finite(double value) {
-        return number(Double.isInfinite(value) ? Double.NaN : value);
-    }
-
-    static String number(double value) {
-        return Double.isNaN(value) ? "" : TextFormat.number(value, 6);
     }
 }

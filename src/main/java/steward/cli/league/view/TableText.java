@@ -3,13 +3,16 @@ package steward.cli.league.view;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Function;
+import java.util.stream.IntStream;
 import steward.cli.streams.Colour;
 import steward.league.Season;
 import steward.league.page.ApartWords;
 import steward.league.page.WorkerRow;
 import steward.league.rating.Difference;
-import steward.league.rating.LeagueTable.Row;
 import steward.league.rating.LeagueTable;
+import steward.league.rating.LeagueTable.Row;
+import steward.report.Table;
 import steward.text.TextFormat;
 
 /** A league's table as text for people. */
@@ -112,30 +115,26 @@ public final class TableText {
 
     /** One line a bot, and their heads. */
     public static List<String> rows(LeagueTable table, Colour colour) {
-        int width = table.rows().stream().mapToInt(row -> name(row).length()).max().orElse(3);
-        List<String> lines = new ArrayList<>();
-        lines.add("  # " + TextFormat.left("bot", width)
-            + "  rating     bar anytime" + TextFormat.right(to(table), TO) 
-            + "  ranks   games  points  faults  all failed  mean ms  worst ms  mean score");
-        for (Row row : table.rows()) {
-            boolean played = row.sums().games() > 0;
-            String faults = TextFormat.right(Long.toString(row.sums().faults()), 8);
-            lines.add(TextFormat.right(Integer.toString(row.rank()), 3) + " " + TextFormat.left(name(row), width)
-                + colour.strong(TextFormat.right(played && !Double.isNaN(row.rating()) ? signed(row.rating()) : "-", 8))
-                + TextFormat.right(!played ? "-" : Double.isNaN(row.bound()) ? bar(row.bar()) : bound(row), 8)
-                + TextFormat.right(played ? bar(row.anytime()) : "-", 8)
-                + TextFormat.right(played ? difference(row.difference()) : "-", TO)
-                + TextFormat.right(!played ? "-" : row.best() == row.worst() ? Integer.toString(row.best())
-                    : row.best() + "-" + row.worst(), 7)
-                + TextFormat.right(Long.toString(row.sums().games()), 8)
-                + TextFormat.right(TextFormat.fixed(row.points(), 3), 8)
-                + (row.sums().faults() > 0 ? colour.bad(faults) : faults)
-                + TextFormat.right(Long.toString(row.sums().allFailed()), 12)
-                + TextFormat.right(TextFormat.fixed(row.sums().meanNanos() / NANOS_PER_MS, 2), 9)
-                + TextFormat.right(played ? TextFormat.ms(row.sums().worstNanos()) : "-", 10)
-                + TextFormat.right(TextFormat.fixed(row.sums().meanScore(), 2), 12));
-        }
-        return lines;
+        return new Table<Row>().right("  #", 3, row -> Integer.toString(row.rank())).left("bot", 1, TableText::name)
+            .right("rating", 8, ofPlayed(row -> Double.isNaN(row.rating()) ? "-" : signed(row.rating())))
+            .painted((row, word) -> colour.strong(word))
+            .right("bar", 8, ofPlayed(row -> Double.isNaN(row.bound()) ? bar(row.bar()) : bound(row)))
+            .right("anytime", 8, ofPlayed(row -> bar(row.anytime())))
+            .right(to(table), TO, ofPlayed(row -> difference(row.difference())))
+            .right("ranks", 7, ofPlayed(row -> row.best() + (row.best() == row.worst() ? "" : "-" + row.worst())))
+            .right("games", 8, row -> Long.toString(row.sums().games()))
+            .right("points", 8, row -> TextFormat.fixed(row.points(), 3))
+            .right("faults", 8, row -> Long.toString(row.sums().faults()))
+            .painted((row, word) -> row.sums().faults() > 0 ? colour.bad(word) : word)
+            .right("all failed", 12, row -> Long.toString(row.sums().allFailed()))
+            .right("mean ms", 9, row -> TextFormat.fixed(row.sums().meanNanos() / NANOS_PER_MS, 2))
+            .right("worst ms", 10, ofPlayed(row -> TextFormat.ms(row.sums().worstNanos())))
+            .right("mean score", 12, row -> TextFormat.fixed(row.sums().meanScore(), 2)).lines(table.rows());
+    }
+
+    /** A dash for a bot without games. */
+    private static Function<Row, String> ofPlayed(Function<Row, String> text) {
+        return row -> row.sums().games() > 0 ? text.apply(row) : "-";
     }
 
     /** A pair whose games say something else than the ratings. */
@@ -168,24 +167,16 @@ public final class TableText {
 
     /** A number of percent for every two bots, by rank. */
     private static List<String> matrix(LeagueTable table, String title, Cell cell) {
-        int width = Math.max(title.length(), table.rows().stream().mapToInt(row -> name(row).length()).max().orElse(3));
+        Table<Integer> matrix = new Table<Integer>().left("  " + title + "  ", 0, row ->
+            TextFormat.right(Integer.toString(row + 1), 3) + " " + name(table.rows().get(row)));
         int bots = table.rows().size();
-        List<String> lines = new ArrayList<>();
-        StringBuilder head = new StringBuilder("  " + TextFormat.left(title, width + 2));
-        for (int column = 0; column < bots; column++) {
-            head.append(TextFormat.right("#" + (column + 1), 5));
-        }
-        lines.add(head.toString());
-        for (int row = 0; row < bots; row++) {
-            StringBuilder line = new StringBuilder(TextFormat.right(Integer.toString(row + 1), 3) + " "
-                + TextFormat.left(name(table.rows().get(row)), width));
-            for (int column = 0; column < bots; column++) {
+        for (int k = 0; k < bots; k++) {
+            int column = k;
+            matrix.right("#" + (k + 1), 5, row -> {
                 double percent = row == column ? Double.NaN : cell.percent(row, column);
-                line.append(TextFormat.right(row == column ? "." : Double.isNaN(percent) ? "-"
-                    : Long.toString(Math.round(percent)), 5));
-            }
-            lines.add(line.toString());
+                return row == column ? "." : Double.isNaN(percent) ? "-" : Long.toString(Math.round(percent));
+            });
         }
-        return lines;
+        return matrix.lines(IntStream.range(0, bots).boxed().toList());
     }
 }

@@ -62,7 +62,7 @@ public final class WhyCommand extends ProgramCommand {
             int version = GameFilter.version(bot, opened.entries());
             Losses losses = losses(opened, bot, version, each -> opened.games().gamesOf(version, each), replays);
             if (json) {
-                Json.print(streams, losses::json);
+                Json.print(streams, losses.fields());
             } else {
                 losses.lines().forEach(streams.out()::println);
             }

@@ -2,15 +2,19 @@ package steward.cli.shared;
 
 import java.io.PrintStream;
 import java.util.List;
+import steward.bot.TimeBasis;
+import steward.bot.TimeSpent;
 import steward.contest.Failure;
+import steward.report.Fields;
 import steward.text.TextFormat;
 
-/** Reason of a bot's failure as text, for people. */
-public final class FailureText {
+/** Reason of a bot's failure, as text for people and as JSON for programs. */
+public final class FailureReason {
 
+    private static final double NANOS_PER_MS = 1e6;
     private static final int LONGEST = 120;
 
-    private FailureText() { }
+    private FailureReason() { }
 
     /** Prints the lines below the one with the reason: what its stderr says, and hints. */
     public static void print(PrintStream out, Failure failure, String indent) {
@@ -40,5 +44,34 @@ public final class FailureText {
     /** The line of its stderr that says why, in brackets and behind a blank; empty if none does. */
     public static String said(Failure failure) {
         return failure.error().isEmpty() ? "" : " (" + TextFormat.shorten(failure.error(), LONGEST) + ")";
+    }
+
+    /** The turn, and what may help. @return {@code null} for no failure, which is {@code null} */
+    public static Fields fields(Failure failure) {
+        return failure == null ? null : Fields.of("turn", failure.turn(), "error",
+            failure.error().isEmpty() ? null : failure.error(), "stderr", failure.stderr(), "hints", failure.hints(),
+            "time", time(failure.time()));
+    }
+
+    /**
+     * Where the time of a late answer went, in milliseconds; null for what the system does not show.
+     *
+     * @param time or {@code null}, which is returned
+     */
+    public static Fields time(TimeSpent time) {
+        if (time == null) {
+            return null;
+        }
+        boolean any = time.shows() != TimeSpent.Shows.NOTHING;
+        boolean waiting = any && time.shows() != TimeSpent.Shows.STEPS;
+        return Fields.of("limitOf", (time.overCpu() ? TimeBasis.CPU : TimeBasis.WALL).word(),
+            "limitMs", ms(time.limit(), true), "takenMs", ms(time.taken(), true),
+            "unobservedMs", ms(time.unobserved(), any), "computedMs", ms(time.computed(), any),
+            "waitedMs", ms(time.waited(), waiting), "otherMs", ms(time.other(), any), "cpuMs", ms(time.cpu(), any),
+            "inSteps", any && time.shows() != TimeSpent.Shows.ALL, "starved", time.starved());
+    }
+
+    private static double ms(long nanos, boolean shown) {
+        return shown ? nanos / NANOS_PER_MS : Double.NaN;
     }
 }

@@ -4,18 +4,27 @@ import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import steward.bot.command.CommandLine;
 import steward.cli.streams.Colour;
+import steward.contest.Contest;
+import steward.contest.CountedGame;
 import steward.contest.Failure;
 import steward.guest.GuestType;
 import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
+import steward.match.OwnLimits;
+import steward.report.Fields;
+import steward.report.Table;
 import steward.text.TextFormat;
 
-/** The result of a match as readable text. */
-public final class MatchText {
+/** Result of a match, as text for people and as JSON for programs. */
+public final class MatchReport {
 
-    private MatchText() { }
+    private static final double NANOS_PER_MS = 1e6;
+    private static final int LONGEST_NAME = 40;
+
+    private MatchReport() { }
 
     /** One line: the winner, the ending, the turn; of a player alone, the score. */
     public static String headline(String scene, long seed, MatchResult result) {
@@ -48,7 +57,7 @@ public final class MatchText {
      */
     public static String headline(String scene, long seed, MatchResult result, List<Failure> failures) {
         return headline(scene, seed, result) + failures.stream().map(failure -> "; " + TextFormat.plain(
-            FailureText.line(result.players().get(failure.player()).name(), failure))).collect(Collectors.joining());
+            FailureReason.line(result.players().get(failure.player()).name(), failure))).collect(Collectors.joining());
     }
 
     /** Prints everything about the result, and more about the players that failed. */
@@ -56,11 +65,9 @@ public final class MatchText {
                              List<Failure> failures) {
         out.println(colour.strong(headline(scene, seed, result)));
         out.println();
-        table(out, result.players());
+        table(result.players()).forEach(out::println);
         for (int player = 0; player < result.players().size(); player++) {
-            int number = player;
-            note(out, colour, result.players().get(player),
-                failures.stream().filter(each -> each.player() == number).findFirst().orElse(null));
+            note(out, colour, result.players().get(player), of(failures, player));
         }
     }
 
@@ -74,20 +81,15 @@ public final class MatchText {
             + "   plays it again and compares every turn");
     }
 
-    private static void table(PrintStream out, List<PlayerResult> players) {
-        int width = players.stream().mapToInt(player -> player.name().length()).max().orElse(0);
-        int names = Math.min(40, Math.max(4, width));
-        out.println("player  " + TextFormat.left("bot", names) + "  rank   score   average ms   worst ms   first ms");
-        for (int k = 0; k < players.size(); k++) {
-            PlayerResult player = players.get(k);
-            out.println(TextFormat.right(Integer.toString(k), 6) + "  "
-                + TextFormat.left(TextFormat.plain(TextFormat.shorten(player.name(), names)), names)
-                + TextFormat.right(Integer.toString(player.rank() + 1), 6)
-                + TextFormat.right(TextFormat.number(player.score(), 2), 8)
-                + TextFormat.right(ms(player.averageNanos()), 13)
-                + TextFormat.right(ms(player.worstNanos()), 11)
-                + TextFormat.right(ms(player.firstNanos()), 11));
-        }
+    private static List<String> table(List<PlayerResult> players) {
+        return new Table<Integer>().right("player", 6, k -> Integer.toString(k))
+            .left("bot ", 2, k -> TextFormat.plain(TextFormat.shorten(players.get(k).name(), LONGEST_NAME)))
+            .right("rank", 6, k -> Integer.toString(players.get(k).rank() + 1))
+            .right("score", 8, k -> TextFormat.number(players.get(k).score(), 2))
+            .right("average ms", 13, k -> ms(players.get(k).averageNanos()))
+            .right("worst ms", 11, k -> ms(players.get(k).worstNanos()))
+            .right("first ms", 11, k -> ms(players.get(k).firstNanos()))
+            .lines(IntStream.range(0, players.size()).boxed().toList());
     }
 
     /** Writes a time; 0 is none, as in an imported game. */
@@ -104,7 +106,7 @@ public final class MatchText {
             out.println(name + " is out: " + TextFormat.plain(player.out()));
         }
         if (failure != null) {
-            FailureText.print(out, failure, "  ");
+            FailureReason.print(out, failure, "  ");
         }
         if (player.heldFrom() > 1) {                   // from turn 1 on only those are held that are to be in any case
             out.println(name + " was held from turn " + player.heldFrom() + ": it computed while others were asked");
@@ -113,5 +115,38 @@ public final class MatchText {
             out.println(colour.warning("warning:") + " " + name + " wrote more lines than it was asked for, in "
                 + TextFormat.count(player.earlyTurns(), "turn") + "; they were taken for later answers");
         }
+    }
+
+    /** The result for programs. @param file of the replay, or {@code null} */
+    public static Fields fields(Contest contest, long seed, CountedGame<?> game, Path file) {
+        MatchResult result = game.result();
+        return Fields.of("seed", Long.toString(seed), "scene", contest.sceneName(),
+            "time", contest.time().basis().word(), "sandbox", contest.sandbox(), "turns", result.turns(),
+            "ending", result.ending(), "winner", result.winner() < 0 ? null : result.winner(),
+            "allFailed", result.allFailed(), "players", Fields.each(result.players().size(), k -> player(
+                result.players().get(k), contest.entrants().get(k), of(game.failures(), k))),
+            "data", result.data(), "playedAgain", game.again(), "replay", file);
+    }
+
+    private static Fields player(PlayerResult player, Contest.Entrant entrant, Failure failure) {
+        return Fields.of("name", player.name(), "bot", entrant.bot(),
+            OwnLimits.FIELD, OwnLimits.writtenOrNull(entrant.limits()), "rank", player.rank(),
+            "score", player.score(), "out", player.out(), "fault", player.fault(),
+            "failure", FailureReason.fields(failure),
+            "answerMs", Fields.of("average", player.averageNanos() / NANOS_PER_MS,
+                "worst", player.worstNanos() / NANOS_PER_MS, "first", player.firstNanos() / NANOS_PER_MS),
+            "heldFrom", turnOrNull(player.heldFrom()), "warnings", player.earlyTurns() == 0 ? List.of()
+                : List.of("lines beyond the answer in " + TextFormat.count(player.earlyTurns(), "turn")),
+            "data", player.data());
+    }
+
+    /** The failure of a player, or {@code null}. */
+    public static Failure of(List<Failure> failures, int player) {
+        return failures.stream().filter(failure -> failure.player() == player).findFirst().orElse(null);
+    }
+
+    /** A turn counted from 1; {@code null} for 0. */
+    public static Integer turnOrNull(int turn) {
+        return turn == 0 ? null : turn;
     }
 }
