@@ -1,12 +1,13 @@
 package steward.codingame;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
-import steward.json.JsonObject;
 import steward.match.MatchResult;
-import tools.jackson.core.JsonGenerator;
+import steward.report.Fields;
 
 /**
  * Result of a match as JSON for rating tools. Its fields are {@code ranks} (lower is better, ties share one),
@@ -21,26 +22,15 @@ public final class RatingToolJson {
 
     private RatingToolJson() { }
 
-    /**
-     * Fields of the object, which the caller has opened and closes.
-     *
-     * @param faults by player, {@code null} for none
-     */
-    public static void write(JsonGenerator out, long seed, MatchResult result, String[] faults,
-                             LeagueAttributes ofTurns) {
-        JsonObject.writeEach(out, "ranks", result.players(), player -> out.writeNumber(player.rank()));
-        JsonObject.writeEach(out, "errors", result.players(), player ->
-            out.writeNumber(player.fault() == null ? 0 : 1));
+    /** @param faults by player, {@code null} for none */
+    public static Fields of(long seed, MatchResult result, String[] faults, LeagueAttributes ofTurns) {
         Map<String, String> matchData = data(result.data());
         matchData.remove(SEED);
-        JsonObject.writeTexts(out, "faults", Arrays.asList(faults));
-        out.writeObjectPropertyStart("test_data");
-        out.writeNumberProperty(SEED, seed);
-        matchData.forEach((name, value) -> writeValue(out, name, value));
-        out.writeEndObject();
-        JsonObject.writeAll(out, "player_data", result.players(),
-            player -> data(player.data()).forEach((name, value) -> writeValue(out, name, value)));
-        writeAttributes(out, matchData, result, ofTurns);
+        return Fields.of("ranks", Fields.each(result.players(), MatchResult.PlayerResult::rank),
+            "errors", Fields.each(result.players(), player -> player.fault() == null ? 0 : 1),
+            "faults", Arrays.asList(faults), "test_data", Fields.of(SEED, seed).and(values(matchData)),
+            "player_data", Fields.each(result.players(), player -> values(data(player.data()))),
+            "attributes", attributes(matchData, result, ofTurns));
     }
 
     /** Data about single turns have a bracket where a name should begin; they are in the attributes. */
@@ -50,42 +40,25 @@ public final class RatingToolJson {
         return data;
     }
 
-    private static void writeValue(JsonGenerator out, String name, String value) {
-        out.writeName(name);
-        if (WHOLE.matcher(value).matches()) {
-            out.writeNumber(Long.parseLong(value));
-        } else {
-            out.writeString(value);                   // decimals too: psyleague reads text right and truncates numbers
-        }
+    /** Decimals stay texts: psyleague reads text right and truncates numbers. */
+    private static Fields values(Map<String, String> data) {
+        Fields values = Fields.of();
+        data.forEach((name, value) -> values.with(name, WHOLE.matcher(value).matches() ? (Object) Long.valueOf(value)
+            : value));
+        return values;
     }
 
-    private static void writeAttributes(JsonGenerator out, Map<String, String> matchData, MatchResult result,
-                                        LeagueAttributes ofTurns) {
-        out.writeArrayPropertyStart("attributes");
-        matchData.forEach((name, value) -> write(out, new LeagueAttributes.Attribute(name, -1, -1, value)));
+    private static Iterable<Object> attributes(Map<String, String> matchData, MatchResult result,
+                                               LeagueAttributes ofTurns) {
+        List<LeagueAttributes.Attribute> all = new ArrayList<>();
+        matchData.forEach((name, value) -> all.add(new LeagueAttributes.Attribute(name, -1, -1, value)));
         for (int player = 0; player < result.players().size(); player++) {
             int number = player;
             data(result.players().get(player).data()).forEach((name, value) ->
-                write(out, new LeagueAttributes.Attribute(name, number, -1, value)));
+                all.add(new LeagueAttributes.Attribute(name, number, -1, value)));
         }
-        ofTurns.list().forEach(attribute -> write(out, attribute));
-        out.writeEndArray();
-    }
-
-    private static void write(JsonGenerator out, LeagueAttributes.Attribute attribute) {
-        out.writeStartObject();
-        out.writeStringProperty("name", attribute.name());
-        writeOrNull(out, "player", attribute.player());
-        writeOrNull(out, "turn", attribute.turn());
-        out.writeStringProperty("value", attribute.value());
-        out.writeEndObject();
-    }
-
-    private static void writeOrNull(JsonGenerator out, String name, int number) {
-        if (number < 0) {
-            out.writeNullProperty(name);
-        } else {
-            out.writeNumberProperty(name, number);
-        }
+        all.addAll(ofTurns.list());
+        return Fields.each(all, each -> Fields.of("name", each.name(), "player", each.player() < 0 ? null
+            : each.player(), "turn", each.turn() < 0 ? null : each.turn(), "value", each.value()));
     }
 }

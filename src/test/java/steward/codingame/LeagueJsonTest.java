@@ -2,29 +2,20 @@ package steward.codingame;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.io.StringWriter;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import steward.json.JsonNumbers;
+import steward.json.JsonObject;
 import steward.match.MatchResult;
 import steward.match.MatchResult.PlayerResult;
 import steward.match.TestScenes;
-import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.ObjectWriteContext;
 
 /** The result as rating tools read it. */
 class LeagueJsonTest {
 
     private static String json(long seed, MatchResult result, LeagueAttributes attributes) {
-        StringWriter text = new StringWriter();
-        try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), text)) {
-            out.writeStartObject();
-            RatingToolJson.write(out, seed, result,
-                result.players().stream().map(PlayerResult::fault).toArray(String[]::new), attributes);
-            out.writeEndObject();
-        }
-        return text.toString();
+        return JsonObject.text(RatingToolJson.of(seed, result,
+            result.players().stream().map(PlayerResult::fault).toArray(String[]::new), attributes)::write);
     }
 
     private static PlayerResult player(int rank, String fault, Map<String, String> data) {

@@ -6,13 +6,11 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import steward.lab.chart.MeasuredTable;
-import steward.lab.chart.MeasuredTable.Column;
-import tools.jackson.core.JsonGenerator;
+import steward.report.Fields;
+import steward.report.Table;
 
 /** Writer of the bench's table to files, each row as soon as it is measured. The page comes last. */
 public final class BenchFiles implements AutoCloseable {
@@ -27,14 +25,14 @@ public final class BenchFiles implements AutoCloseable {
     public static final List<String> ALL = List.of(CSV, JSON, PAGE);
 
     private static final MathContext DIGITS = new MathContext(6);
-    private static final List<Column<Row>> COLUMNS = List.of(new Column<>("section", Row::section),
-        new Column<>("name", Row::name), new Column<>("unit", Row::unit),
-        new Column<>("perSecond", row -> rounded(row.perSecond())), new Column<>("nanos", row -> rounded(row.nanos())),
-        new Column<>("ratio", row -> rounded(row.ratio())), new Column<>("bytes", row -> rounded(row.bytes())),
-        new Column<>("note", Row::note));
+    private static final Table<Row> COLUMNS = new Table<Row>().value("section", Row::section).value("name", Row::name)
+        .value("unit", Row::unit).value("perSecond", row -> rounded(row.perSecond()))
+        .value("nanos", row -> rounded(row.nanos())).value("ratio", row -> rounded(row.ratio()))
+        .value("bytes", row -> rounded(row.bytes())).value("note", Row::note);
 
     private final Path folder;
-    private final Map<String, String> facts;
+    private final String machine;
+    private final String date;
     private final double load = load();
     private final MeasuredTable<Row> table;
 
@@ -48,16 +46,13 @@ public final class BenchFiles implements AutoCloseable {
      */
     public BenchFiles(Path folder, String machine, String date) throws IOException {
         this.folder = folder;
-        facts = facts(machine, date);
-        table = new MeasuredTable<>(folder, facts, COLUMNS);
+        this.machine = machine;
+        this.date = date;
+        table = new MeasuredTable<>(folder, "bench", facts(machine, date), COLUMNS);
     }
 
-    private static Map<String, String> facts(String machine, String date) {
-        Map<String, String> facts = new LinkedHashMap<>();
-        facts.put("type", "bench");
-        facts.put("machine", machine);
-        facts.put("date", date);
-        return facts;
+    private static Fields facts(String machine, String date) {
+        return Fields.of("type", "bench", "machine", machine, "date", date);
     }
 
     /** Returns how many programs want a processor, the mean of a minute; negative where the system does not tell. */
@@ -74,16 +69,15 @@ public final class BenchFiles implements AutoCloseable {
         table.add(List.of(row));
     }
 
-    /** Writes the fields of the table's object. */
-    public static void write(JsonGenerator out, String machine, String date, List<Row> rows) {
-        MeasuredTable.write(out, facts(machine, date), COLUMNS, rows);
+    /** The table's object. */
+    public static Fields fields(String machine, String date, List<Row> rows) {
+        return MeasuredTable.fields(facts(machine, date), COLUMNS, rows);
     }
 
     /** Writes the page; the run is over. */
     public void finish(List<Section> sections) {
         table.writing(() -> Files.writeString(folder.resolve(PAGE), PerformancePage.of(sections, table.rows(),
-            facts.get("machine"), facts.get("date"),
-            String.format(Locale.ROOT, "%.1f when it began and %.1f when it ended", load, load()))));
+            machine, date, String.format(Locale.ROOT, "%.1f when it began and %.1f when it ended", load, load()))));
     }
 
     @Override

@@ -6,15 +6,11 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
-import java.util.function.Function;
 import steward.files.CsvFile;
 import steward.files.OutputFiles;
-import steward.json.JsonNumbers;
 import steward.json.JsonObject;
-import steward.text.CsvRow;
-import tools.jackson.core.JsonGenerator;
+import steward.report.Fields;
+import steward.report.Table;
 
 /**
  * Table of measurements, written to two files. {@code NAME.csv} grows by each row; {@code NAME.json} is replaced by one
@@ -23,14 +19,6 @@ import tools.jackson.core.JsonGenerator;
  * @param <R> a row
  */
 public final class MeasuredTable<R> implements AutoCloseable {
-
-    /**
-     * A column, with one name in CSV and JSON.
-     *
-     * @param value a text, a word as a constant of an enumeration, a boolean, an integer, or a double: one that is not
-     *              finite is empty in CSV and null in JSON
-     */
-    public record Column<R>(String name, Function<R, Object> value) { }
 
     /** Work that writes files. */
     @FunctionalInterface
@@ -41,8 +29,8 @@ public final class MeasuredTable<R> implements AutoCloseable {
 
     private final Path folder;
     private final Path json;
-    private final List<Column<R>> columns;
-    private final Map<String, String> facts;
+    private final Table<R> columns;
+    private final Fields facts;
     private final CsvFile csv;
     private final List<R> rows = new ArrayList<>();
 
@@ -50,17 +38,17 @@ public final class MeasuredTable<R> implements AutoCloseable {
      * Starts the files, replacing older ones.
      *
      * @param folder that exists
-     * @param facts  of the run, with its {@code type} first, which is the name of the files
+     * @param name   of the files
+     * @param facts  of the run
      * @throws IOException if a file cannot be written
      */
-    public MeasuredTable(Path folder, Map<String, String> facts, List<Column<R>> columns) throws IOException {
+    public MeasuredTable(Path folder, String name, Fields facts, Table<R> columns) throws IOException {
         this.folder = folder;
         this.columns = columns;
         this.facts = facts;
-        String name = facts.get("type");
         json = folder.resolve(name + ".json");
         writeJson();
-        csv = new CsvFile(folder.resolve(name + ".csv"), columns.stream().map(Column::name).toArray(String[]::new));
+        csv = new CsvFile(folder.resolve(name + ".csv"), columns.heads());
     }
 
     /** The rows so far. */
@@ -72,7 +60,7 @@ public final class MeasuredTable<R> implements AutoCloseable {
     public void add(List<R> more) {
         rows.addAll(more);
         writing(() -> {
-            csv.addAll(more.stream().map(this::cells).toList());
+            csv.addAll(more.stream().map(row -> columns.csv(row, String::valueOf, true)).toList());
             writeJson();
         });
     }
@@ -105,44 +93,13 @@ public final class MeasuredTable<R> implements AutoCloseable {
         }
     }
 
-    private CsvRow cells(R row) {
-        CsvRow cells = new CsvRow();
-        for (Column<R> column : columns) {
-            Object value = column.value().apply(row);
-            if (value instanceof String text) {
-                cells.text(text);
-            } else {
-                cells.words(value instanceof Double number && !Double.isFinite(number) ? "" : word(value));
-            }
-        }
-        return cells;
-    }
-
-    private static String word(Object value) {
-        return value instanceof Enum ? value.toString().toLowerCase(Locale.ROOT) : value.toString();
-    }
-
     private void writeJson() throws IOException {
-        OutputFiles.replace(json, JsonObject.of(out -> write(out, facts, columns, rows)));
+        OutputFiles.replace(json, JsonObject.of(fields(facts, columns, rows)::write));
     }
 
-    /** Writes the fields of a table's object: the facts, and the {@code rows}. */
-    public static <R> void write(JsonGenerator out, Map<String, String> facts, List<Column<R>> columns, List<R> rows) {
-        facts.forEach(out::writeStringProperty);
-        JsonObject.writeAll(out, "rows", rows,
-            row -> columns.forEach(column -> write(out, column.name(), column.value().apply(row))));
-    }
-
-    private static void write(JsonGenerator out, String name, Object value) {
-        if (value instanceof Boolean flag) {
-            out.writeBooleanProperty(name, flag);
-        } else if (value instanceof Double number) {
-            JsonNumbers.writeOrNull(out, name, Double.isFinite(number) ? number : Double.NaN);
-        } else if (value instanceof Number number) {
-            out.writeNumberProperty(name, number.longValue());
-        } else {
-            out.writeStringProperty(name, value instanceof String text ? text : word(value));
-        }
+    /** The facts, and the {@code rows}. */
+    public static <R> Fields fields(Fields facts, Table<R> columns, List<R> rows) {
+        return Fields.of().and(facts).with("rows", columns.json(rows));
     }
 
     @Override

@@ -180,7 +180,7 @@ public final class StabilityCommand extends ProgramCommand {
             interruption.over();
             boolean passed = table.end();
             if (json) {
-                Json.print(streams, to -> StabilityFiles.write(to, run, rows));
+                Json.print(streams, StabilityFiles.fields(run, rows));
             }
             return passed ? ExitStatus.DONE : ExitStatus.FAILED;
         }

@@ -140,7 +140,7 @@ public final class TradeoffCommand extends ProgramCommand {
         }
         table.end(quick);
         if (json) {
-            Json.print(streams, to -> TradeoffReport.write(to, new TradeoffResult(Machine.line(), today(), all)));
+            Json.print(streams, TradeoffReport.fields(new TradeoffResult(Machine.line(), today(), all)));
         }
     }
 }

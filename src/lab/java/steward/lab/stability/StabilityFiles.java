@@ -4,13 +4,10 @@ import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import steward.lab.chart.MeasuredTable;
-import steward.lab.chart.MeasuredTable.Column;
-import tools.jackson.core.JsonGenerator;
+import steward.report.Fields;
+import steward.report.Table;
 
 /** Writer of the stability table to files, each row as soon as it is known. */
 public final class StabilityFiles {
@@ -24,25 +21,18 @@ public final class StabilityFiles {
 
     private StabilityFiles() { }
 
-    private static List<Column<StabilityRow>> columns(StabilityRun run) {
-        return List.of(new Column<>("case", StabilityRow::name), new Column<>("rung", StabilityRow::rung),
-            new Column<>("verdict", row -> row.seen().verdict()),
-            new Column<>("seconds", row -> new BigDecimal(row.seconds()).setScale(3, RoundingMode.HALF_UP)
-                .doubleValue()),
-            new Column<>("seen", row -> row.seen().text()), new Column<>("demand", StabilityRow::demand),
-            new Column<>("length", row -> run.length()), new Column<>("date", row -> run.date()),
-            new Column<>("version", row -> run.version()), new Column<>("machine", row -> run.machine()));
+    private static Table<StabilityRow> columns(StabilityRun run) {
+        return new Table<StabilityRow>().value("case", StabilityRow::name).value("rung", StabilityRow::rung)
+            .value("verdict", row -> row.seen().verdict())
+            .value("seconds", row -> new BigDecimal(row.seconds()).setScale(3, RoundingMode.HALF_UP).doubleValue())
+            .value("seen", row -> row.seen().text()).value("demand", StabilityRow::demand)
+            .value("length", row -> run.length()).value("date", row -> run.date())
+            .value("version", row -> run.version()).value("machine", row -> run.machine());
     }
 
-    private static Map<String, String> facts(StabilityRun run) {
-        Map<String, String> facts = new LinkedHashMap<>();
-        facts.put("type", "stability");
-        facts.put("size", run.length().name().toLowerCase(Locale.ROOT));
-        facts.put("date", run.date());
-        facts.put("version", run.version());
-        facts.put("machine", run.machine());
-        facts.put("java", System.getProperty("java.version"));
-        return facts;
+    private static Fields facts(StabilityRun run) {
+        return Fields.of("type", "stability", "size", run.length(), "date", run.date(), "version", run.version(),
+            "machine", run.machine(), "java", System.getProperty("java.version"));
     }
 
     /**
@@ -52,11 +42,11 @@ public final class StabilityFiles {
      * @throws IOException if a file cannot be written
      */
     public static MeasuredTable<StabilityRow> start(Path folder, StabilityRun run) throws IOException {
-        return new MeasuredTable<>(folder, facts(run), columns(run));
+        return new MeasuredTable<>(folder, "stability", facts(run), columns(run));
     }
 
-    /** Writes the fields of the table's object. */
-    public static void write(JsonGenerator out, StabilityRun run, List<StabilityRow> rows) {
-        MeasuredTable.write(out, facts(run), columns(run), rows);
+    /** The table's object. */
+    public static Fields fields(StabilityRun run, List<StabilityRow> rows) {
+        return MeasuredTable.fields(facts(run), columns(run), rows);
     }
 }

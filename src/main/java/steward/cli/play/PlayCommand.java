@@ -25,7 +25,6 @@ import steward.contest.CountedGame;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameSetup;
-import steward.json.JsonObject;
 import steward.match.MatchResult;
 import steward.match.Protocol;
 import steward.text.TextFormat;
@@ -100,10 +99,8 @@ public final class PlayCommand extends ProgramCommand {
         RefereeGame.tell(streams, contest, game.failures(), player -> contest.entrants().get(player).name());
         String[] faults = game.result().players().stream().map(MatchResult.PlayerResult::fault).toArray(String[]::new);
         game.failures().forEach(failure -> faults[failure.player()] += FailureReason.said(failure));
-        Json.print(streams, json -> {
-            RatingToolJson.write(json, used, game.result(), faults, game.follower());
-            JsonObject.writeTexts(json, "played_again", game.again());
-        });
+        Json.print(streams, RatingToolJson.of(used, game.result(), faults, game.follower())
+            .with("played_again", game.again()));
         return ExitStatus.DONE;
     }
 }

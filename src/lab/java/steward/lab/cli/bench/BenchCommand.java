@@ -215,8 +215,7 @@ public final class BenchCommand extends ProgramCommand {
             table.release();
         }
         if (json) {
-            Json.print(streams, to -> BenchFiles.write(to, Machine.line(),
-                LocalDate.now(ZoneOffset.UTC).toString(), rows));
+            Json.print(streams, BenchFiles.fields(Machine.line(), LocalDate.now(ZoneOffset.UTC).toString(), rows));
         }
         return status;
     }

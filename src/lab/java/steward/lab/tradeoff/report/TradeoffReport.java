@@ -2,14 +2,12 @@ package steward.lab.tradeoff.report;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import steward.lab.chart.MeasuredTable;
-import steward.lab.chart.MeasuredTable.Column;
 import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
-import tools.jackson.core.JsonGenerator;
+import steward.report.Fields;
+import steward.report.Table;
 
 /** Report of the measured trade-off in files, the rows of a scene together. The pictures come last. */
 public final class TradeoffReport implements AutoCloseable {
@@ -22,32 +20,19 @@ public final class TradeoffReport implements AutoCloseable {
     public static final List<String> ALL = List.of(CSV, JSON,
         TradeoffPlot.PNG, TradeoffPlot.DARK_PNG, TradeoffPlot.ALL_PNG, TradeoffPlot.ALL_DARK_PNG);
 
-    private static final List<Column<TradeoffRow>> COLUMNS = List.of(
-        new Column<>("scene", TradeoffRow::scene),
-        new Column<>("rung", TradeoffRow::rung),
-        new Column<>("states", TradeoffRow::states),
-        new Column<>("impacts", TradeoffRow::impacts),
-        new Column<>("jvms", TradeoffRow::jvms),
-        new Column<>("rounds", TradeoffRow::rounds),
-        new Column<>("nanosPerTurn", row -> row.cost().nanosPerTurn()),
-        new Column<>("nanosLow", row -> row.cost().low()),
-        new Column<>("nanosHigh", row -> row.cost().high()),
-        new Column<>("nanosPerImpact", row -> row.cost().nanosPerImpact()),
-        new Column<>("bytesPerTurn", row -> row.cost().bytesPerTurn()),
-        new Column<>("costRatio", TradeoffRow::costRatio),
-        new Column<>("errorMedian", TradeoffRow::median),
-        new Column<>("error99", TradeoffRow::most99),
-        new Column<>("errorWorst", TradeoffRow::worst),
-        new Column<>("missed", TradeoffRow::missed),
-        new Column<>("invented", TradeoffRow::invented),
-        new Column<>("energyError", TradeoffRow::energyError),
-        new Column<>("freeTurns", TradeoffRow::freeTurns),
-        new Column<>("freeBound", TradeoffRow::freeBound),
-        new Column<>("integersDiffering", TradeoffRow::differing),
-        new Column<>("integersCompared", TradeoffRow::compared),
-        new Column<>("onFront", TradeoffRow::onFront),
-        new Column<>("ratioLow", TradeoffRow::ratioLow),
-        new Column<>("ratioHigh", TradeoffRow::ratioHigh));
+    private static final Table<TradeoffRow> COLUMNS = new Table<TradeoffRow>().value("scene", TradeoffRow::scene)
+        .value("rung", TradeoffRow::rung).value("states", TradeoffRow::states).value("impacts", TradeoffRow::impacts)
+        .value("jvms", TradeoffRow::jvms).value("rounds", TradeoffRow::rounds)
+        .value("nanosPerTurn", row -> row.cost().nanosPerTurn()).value("nanosLow", row -> row.cost().low())
+        .value("nanosHigh", row -> row.cost().high()).value("nanosPerImpact", row -> row.cost().nanosPerImpact())
+        .value("bytesPerTurn", row -> row.cost().bytesPerTurn()).value("costRatio", TradeoffRow::costRatio)
+        .value("errorMedian", TradeoffRow::median).value("error99", TradeoffRow::most99)
+        .value("errorWorst", TradeoffRow::worst).value("missed", TradeoffRow::missed)
+        .value("invented", TradeoffRow::invented).value("energyError", TradeoffRow::energyError)
+        .value("freeTurns", TradeoffRow::freeTurns).value("freeBound", TradeoffRow::freeBound)
+        .value("integersDiffering", TradeoffRow::differing).value("integersCompared", TradeoffRow::compared)
+        .value("onFront", TradeoffRow::onFront).value("ratioLow", TradeoffRow::ratioLow)
+        .value("ratioHigh", TradeoffRow::ratioHigh);
 
     private final Path folder;
     private final String machine;
@@ -65,15 +50,11 @@ public final class TradeoffReport implements AutoCloseable {
         this.folder = folder;
         this.machine = machine;
         this.date = date;
-        table = new MeasuredTable<>(folder, facts(machine, date), COLUMNS);
+        table = new MeasuredTable<>(folder, "tradeoff", facts(machine, date), COLUMNS);
     }
 
-    private static Map<String, String> facts(String machine, String date) {
-        Map<String, String> facts = new LinkedHashMap<>();
-        facts.put("type", "tradeoff");
-        facts.put("machine", machine);
-        facts.put("date", date);
-        return facts;
+    private static Fields facts(String machine, String date) {
+        return Fields.of("type", "tradeoff", "machine", machine, "date", date);
     }
 
     /** @throws java.io.UncheckedIOException if it cannot be written */
@@ -87,9 +68,9 @@ public final class TradeoffReport implements AutoCloseable {
         return table.finish(() -> TradeoffPlot.write(result, folder));
     }
 
-    /** Writes the fields of the result's object. */
-    public static void write(JsonGenerator out, TradeoffResult result) {
-        MeasuredTable.write(out, facts(result.machine(), result.date()), COLUMNS, result.rows());
+    /** The result's object. */
+    public static Fields fields(TradeoffResult result) {
+        return MeasuredTable.fields(facts(result.machine(), result.date()), COLUMNS, result.rows());
     }
 
     @Override
