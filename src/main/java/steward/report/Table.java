@@ -10,8 +10,8 @@ import steward.text.CsvRow;
 import steward.text.TextFormat;
 
 /**
- * Columns of a table, each described once: the name and value that programs read as JSON and CSV, and the head, width
- * and words that people read. A column may have one side only. Not thread-safe.
+ * Columns of a table, each described once for programs and for people. Programs read its name and value, as JSON and
+ * CSV; people read its head and words in a width. A column may have one side only. Not thread-safe.
  *
  * @param <R> a row
  */

@@ -22,9 +22,9 @@ class TableTest {
     @Test
     void peopleReadAlignedColumns() {
         assertEquals(List.of(
-            "bot       games   points",
-            "a, b         12    0.500",
-            "longer        3        -"), table().lines(ROWS));
+            "bot      games   points",
+            "a, b        12    0.500",
+            "longer       3        -"), table().lines(ROWS));
     }
 
     @Test
