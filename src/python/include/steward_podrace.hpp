@@ -14,8 +14,8 @@
 //     map.play(trial, commands);
 //     double worth = 50000.0 * trial.passed[0] - map.toNext(trial, 0);
 //
-// Speed: with AVX2 (-mavx2, -march=native, or #pragma GCC target("avx2") at the head of the file) four pods are steered
-// at once, otherwise two, which every x86-64 can; elsewhere, or with -DSTEWARD_SCALAR, one. All give the same bits.
+// Speed: with AVX2 (-mavx2, -march=native, or #pragma GCC target("avx2") at the head of the file) one operation steers
+// four pods, otherwise two, which every x86-64 can; elsewhere, or with -DSTEWARD_SCALAR, one. All give the same bits.
 //
 // Bits: no flag may let the compiler change the order or the rounding of operations. The header switches that off for
 // itself: g++ with #pragma GCC optimize("Ofast") at the head of the file is fine. The constructor of Map checks, within
@@ -69,10 +69,13 @@
 #endif
 #if defined(__GNUC__)
 #define STEWARD_ONE_CALL __attribute__((noinline))
+#define STEWARD_INLINE __attribute__((always_inline)) inline
 #elif defined(_MSC_VER)
 #define STEWARD_ONE_CALL __declspec(noinline)
+#define STEWARD_INLINE __forceinline
 #else
 #define STEWARD_ONE_CALL
+#define STEWARD_INLINE inline
 #endif
 
 namespace steward {
@@ -92,7 +95,10 @@ namespace podrace {
 
 constexpr double PI = 3.141592653589793, FULL_TURN = 2 * PI, MAXIMUM_TURN = PI / 10;
 constexpr double TOUCH = 800, CHECKPOINT = 600, KEEP = 1 - 0.15, PUSH_OUT = 1e-5, WINDOW = 1e-5;
+/* The greatest numbers whose roots, as they are rounded, are at most CHECKPOINT, and below it. */
+constexpr double AT_CHECKPOINT = 0x1.5f90000000001p+18, WITHIN_CHECKPOINT = 0x1.5f8fffffffffep+18;
 constexpr double FAR_OUT = 0x1p30, TINY = 0x1p-100;
+constexpr double SHORT = 0x1p24;                       // beside longer segments rounding exceeds the margin of filters
 constexpr int PODS = 4, MOST_IMPACTS = 10000 + 1000 * PODS;
 constexpr int TIMER = 7, HEAVY = 8, BOOST_LEFT = 16;
 
@@ -108,94 +114,158 @@ inline double number(std::uint64_t word) {
     return value;
 }
 
-/* ---- Lanes: four doubles at once, two, or one. ---- */
+/* The number of the lowest bit that is set. */
+inline int lowest(int set) {
+#if defined(__GNUC__)
+    return __builtin_ctz(static_cast<unsigned>(set));
+#else
+    int number = 0;
+    for (; !(set >> number & 1); number++) { }
+    return number;
+#endif
+}
+
+/* ---- Lanes: a number of each pod, the four in one register, in two, or in four. Operations on several registers do
+   not wait for each other. ---- */
 
 #if STEWARD_AVX2
-constexpr int LANES = 4;
+constexpr int LANES = 4;                               // of a register
 typedef __m256d V;
 typedef __m256d M;
-inline V all(double value) { return _mm256_set1_pd(value); }
-inline V load(const double* from) { return _mm256_loadu_pd(from); }
-inline void store(double* to, V value) { _mm256_storeu_pd(to, value); }
-inline V whole(const std::int32_t* from) {
+STEWARD_INLINE V all(double value) { return _mm256_set1_pd(value); }
+STEWARD_INLINE V load(const double* from) { return _mm256_loadu_pd(from); }
+STEWARD_INLINE void store(double* to, V value) { _mm256_storeu_pd(to, value); }
+STEWARD_INLINE V whole(const std::int32_t* from) {
     return _mm256_cvtepi32_pd(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from)));
 }
-inline M less(V a, V b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
-inline M atMost(V a, V b) { return _mm256_cmp_pd(a, b, _CMP_LE_OQ); }
-inline M equal(V a, V b) { return _mm256_cmp_pd(a, b, _CMP_EQ_OQ); }
-inline M isNan(V a) { return _mm256_cmp_pd(a, a, _CMP_UNORD_Q); }
-inline M both(M a, M b) { return _mm256_and_pd(a, b); }
-inline M either(M a, M b) { return _mm256_or_pd(a, b); }
-inline M without(M a, M b) { return _mm256_andnot_pd(b, a); }
-inline V select(M mask, V yes, V no) { return _mm256_blendv_pd(no, yes, mask); }
-inline V onlyIf(M mask, V value) { return _mm256_and_pd(mask, value); }
-inline int lanesOf(M mask) { return _mm256_movemask_pd(mask); }
-inline V size(V a) { return _mm256_andnot_pd(all(-0.0), a); }
-inline V withSign(V of, V sign) { return _mm256_or_pd(size(of), _mm256_and_pd(all(-0.0), sign)); }
+STEWARD_INLINE M less(V a, V b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
+STEWARD_INLINE M atMost(V a, V b) { return _mm256_cmp_pd(a, b, _CMP_LE_OQ); }
+STEWARD_INLINE M equal(V a, V b) { return _mm256_cmp_pd(a, b, _CMP_EQ_OQ); }
+STEWARD_INLINE M isNan(V a) { return _mm256_cmp_pd(a, a, _CMP_UNORD_Q); }
+STEWARD_INLINE M both(M a, M b) { return _mm256_and_pd(a, b); }
+STEWARD_INLINE M either(M a, M b) { return _mm256_or_pd(a, b); }
+STEWARD_INLINE M without(M a, M b) { return _mm256_andnot_pd(b, a); }
+STEWARD_INLINE V select(M mask, V yes, V no) { return _mm256_blendv_pd(no, yes, mask); }
+STEWARD_INLINE V onlyIf(M mask, V value) { return _mm256_and_pd(mask, value); }
+STEWARD_INLINE int lanesOf(M mask) { return _mm256_movemask_pd(mask); }
+STEWARD_INLINE V size(V a) { return _mm256_andnot_pd(all(-0.0), a); }
+/* The sign of the second on the first, which has none. */
+STEWARD_INLINE V withSign(V of, V sign) { return _mm256_or_pd(of, _mm256_and_pd(all(-0.0), sign)); }
 /* Turns the sign of one by that of another. */
-inline V oppositeIf(V of, V sign) { return _mm256_xor_pd(of, _mm256_and_pd(all(-0.0), sign)); }
+STEWARD_INLINE V oppositeIf(V of, V sign) { return _mm256_xor_pd(of, _mm256_and_pd(all(-0.0), sign)); }
 /* The next greater double in size. */
-inline V next(M mask, V of) { return _mm256_castsi256_pd(_mm256_sub_epi64(_mm256_castpd_si256(of),
+STEWARD_INLINE V next(M mask, V of) { return _mm256_castsi256_pd(_mm256_sub_epi64(_mm256_castpd_si256(of),
     _mm256_castpd_si256(mask))); }
-inline V roundDown(V a) { return _mm256_floor_pd(a); }
-inline V cut(V a) { return _mm256_round_pd(a, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC); }
-#elif STEWARD_SSE2
+/* Numbers below 2^51 in size, rounded down and toward zero. */
+STEWARD_INLINE V roundDown(V a) { return _mm256_floor_pd(a); }
+STEWARD_INLINE V cut(V a) { return _mm256_round_pd(a, _MM_FROUND_TO_ZERO | _MM_FROUND_NO_EXC); }
+/* Of pods 1, 2, 3, 0, and 2, 3, 0, 1. */
+STEWARD_INLINE V nextPods(V a) { return _mm256_permute4x64_pd(a, 0x39); }
+STEWARD_INLINE V oppositePods(V a) { return _mm256_permute4x64_pd(a, 0x4e); }
+#else
+template <class T> struct Pair { T low, high; };
+template <class T> STEWARD_INLINE Pair<T> pair(T low, T high) { return {low, high}; }
+#if STEWARD_SSE2
 constexpr int LANES = 2;
-typedef __m128d V;
-typedef __m128d M;
-inline V all(double value) { return _mm_set1_pd(value); }
-inline V load(const double* from) { return _mm_loadu_pd(from); }
-inline void store(double* to, V value) { _mm_storeu_pd(to, value); }
-inline V whole(const std::int32_t* from) {
-    return _mm_cvtepi32_pd(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)));
+struct Two { __m128d of; };
+typedef Pair<Two> V;
+typedef Pair<Two> M;
+STEWARD_INLINE Two two(double value) { return {_mm_set1_pd(value)}; }
+STEWARD_INLINE Two operator+(Two a, Two b) { return {_mm_add_pd(a.of, b.of)}; }
+STEWARD_INLINE Two operator-(Two a, Two b) { return {_mm_sub_pd(a.of, b.of)}; }
+STEWARD_INLINE Two operator*(Two a, Two b) { return {_mm_mul_pd(a.of, b.of)}; }
+STEWARD_INLINE Two operator/(Two a, Two b) { return {_mm_div_pd(a.of, b.of)}; }
+STEWARD_INLINE Two less(Two a, Two b) { return {_mm_cmplt_pd(a.of, b.of)}; }
+STEWARD_INLINE Two atMost(Two a, Two b) { return {_mm_cmple_pd(a.of, b.of)}; }
+STEWARD_INLINE Two equal(Two a, Two b) { return {_mm_cmpeq_pd(a.of, b.of)}; }
+STEWARD_INLINE Two isNan(Two a) { return {_mm_cmpunord_pd(a.of, a.of)}; }
+STEWARD_INLINE Two both(Two a, Two b) { return {_mm_and_pd(a.of, b.of)}; }
+STEWARD_INLINE Two either(Two a, Two b) { return {_mm_or_pd(a.of, b.of)}; }
+STEWARD_INLINE Two without(Two a, Two b) { return {_mm_andnot_pd(b.of, a.of)}; }
+STEWARD_INLINE Two select(Two mask, Two yes, Two no) { return either(both(mask, yes), without(no, mask)); }
+STEWARD_INLINE Two onlyIf(Two mask, Two value) { return both(mask, value); }
+STEWARD_INLINE Two size(Two a) { return without(a, two(-0.0)); }
+STEWARD_INLINE Two withSign(Two of, Two sign) { return either(of, both(two(-0.0), sign)); }
+STEWARD_INLINE Two oppositeIf(Two of, Two sign) { return {_mm_xor_pd(of.of, both(two(-0.0), sign).of)}; }
+STEWARD_INLINE Two next(Two mask, Two of) {
+    return {_mm_castsi128_pd(_mm_sub_epi64(_mm_castpd_si128(of.of), _mm_castpd_si128(mask.of)))};
 }
-inline M less(V a, V b) { return _mm_cmplt_pd(a, b); }
-inline M atMost(V a, V b) { return _mm_cmple_pd(a, b); }
-inline M equal(V a, V b) { return _mm_cmpeq_pd(a, b); }
-inline M isNan(V a) { return _mm_cmpunord_pd(a, a); }
-inline M both(M a, M b) { return _mm_and_pd(a, b); }
-inline M either(M a, M b) { return _mm_or_pd(a, b); }
-inline M without(M a, M b) { return _mm_andnot_pd(b, a); }
-inline V select(M mask, V yes, V no) { return _mm_or_pd(_mm_and_pd(mask, yes), _mm_andnot_pd(mask, no)); }
-inline V onlyIf(M mask, V value) { return _mm_and_pd(mask, value); }
-inline int lanesOf(M mask) { return _mm_movemask_pd(mask); }
-inline V size(V a) { return _mm_andnot_pd(all(-0.0), a); }
-inline V withSign(V of, V sign) { return _mm_or_pd(size(of), _mm_and_pd(all(-0.0), sign)); }
-inline V oppositeIf(V of, V sign) { return _mm_xor_pd(of, _mm_and_pd(all(-0.0), sign)); }
-inline V next(M mask, V of) { return _mm_castsi128_pd(_mm_sub_epi64(_mm_castpd_si128(of), _mm_castpd_si128(mask))); }
-/* From 2^52 on all doubles are whole; below it adding that rounds to the nearest whole number. */
-inline V cut(V a) {
-    V positive = size(a), near = (positive + all(0x1p52)) - all(0x1p52);
-    V down = near - onlyIf(less(positive, near), all(1));
-    return withSign(select(less(positive, all(0x1p52)), down, positive), a);
+/* Adding 1.5 2^52 rounds to the nearest whole number. */
+STEWARD_INLINE Two roundDown(Two a) {
+    Two near = (a + two(0x1.8p52)) - two(0x1.8p52);
+    return near - onlyIf(less(a, near), two(1));
 }
-inline V roundDown(V a) { V toZero = cut(a); return toZero - onlyIf(less(a, toZero), all(1)); }
+STEWARD_INLINE Two cut(Two a) { return withSign(roundDown(size(a)), a); }
+STEWARD_INLINE V all(double value) { return {two(value), two(value)}; }
+STEWARD_INLINE V load(const double* from) { return {{_mm_loadu_pd(from)}, {_mm_loadu_pd(from + 2)}}; }
+STEWARD_INLINE void store(double* to, V value) {
+    _mm_storeu_pd(to, value.low.of);
+    _mm_storeu_pd(to + 2, value.high.of);
+}
+STEWARD_INLINE V whole(const std::int32_t* from) {
+    return {{_mm_cvtepi32_pd(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)))},
+        {_mm_cvtepi32_pd(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from + 2)))}};
+}
+STEWARD_INLINE int lanesOf(M mask) { return _mm_movemask_pd(mask.low.of) | _mm_movemask_pd(mask.high.of) << 2; }
+STEWARD_INLINE V nextPods(V a) {
+    return {{_mm_shuffle_pd(a.low.of, a.high.of, 1)}, {_mm_shuffle_pd(a.high.of, a.low.of, 1)}};
+}
 #else
 constexpr int LANES = 1;
-typedef double V;
-typedef bool M;
-inline V all(double value) { return value; }
-inline V load(const double* from) { return *from; }
-inline void store(double* to, V value) { *to = value; }
-inline V whole(const std::int32_t* from) { return *from; }
-inline M less(V a, V b) { return a < b; }
-inline M atMost(V a, V b) { return a <= b; }
-inline M equal(V a, V b) { return a == b; }
-inline M isNan(V a) { return a != a; }
-inline M both(M a, M b) { return a && b; }
-inline M either(M a, M b) { return a || b; }
-inline M without(M a, M b) { return a && !b; }
-inline V select(M mask, V yes, V no) { return mask ? yes : no; }
-inline V onlyIf(M mask, V value) { return mask ? value : 0.0; }
-inline int lanesOf(M mask) { return mask ? 1 : 0; }
-inline V size(V a) { return number(bits(a) & ~0ull >> 1); }
-inline V withSign(V of, V sign) { return number((bits(of) & ~0ull >> 1) | (bits(sign) & 1ull << 63)); }
-inline V oppositeIf(V of, V sign) { return number(bits(of) ^ (bits(sign) & 1ull << 63)); }
-inline V next(M mask, V of) { return number(bits(of) + (mask ? 1 : 0)); }
-inline V cut(V a) { return size(a) < 0x1p62 ? static_cast<double>(static_cast<std::int64_t>(a)) : a; }
-inline V roundDown(V a) { V toZero = cut(a); return toZero > a ? toZero - 1 : toZero; }
+typedef Pair<Pair<double>> V;
+typedef Pair<Pair<bool>> M;
+STEWARD_INLINE bool less(double a, double b) { return a < b; }
+STEWARD_INLINE bool atMost(double a, double b) { return a <= b; }
+STEWARD_INLINE bool equal(double a, double b) { return a == b; }
+STEWARD_INLINE bool isNan(double a) { return a != a; }
+STEWARD_INLINE bool both(bool a, bool b) { return a && b; }
+STEWARD_INLINE bool either(bool a, bool b) { return a || b; }
+STEWARD_INLINE bool without(bool a, bool b) { return a && !b; }
+STEWARD_INLINE double select(bool mask, double yes, double no) { return mask ? yes : no; }
+STEWARD_INLINE double onlyIf(bool mask, double value) { return mask ? value : 0.0; }
+STEWARD_INLINE double size(double a) { return number(bits(a) & ~0ull >> 1); }
+STEWARD_INLINE double withSign(double of, double sign) { return number(bits(of) | (bits(sign) & 1ull << 63)); }
+STEWARD_INLINE double oppositeIf(double of, double sign) { return number(bits(of) ^ (bits(sign) & 1ull << 63)); }
+STEWARD_INLINE double next(bool mask, double of) { return number(bits(of) + (mask ? 1 : 0)); }
+STEWARD_INLINE double cut(double a) { return static_cast<double>(static_cast<std::int64_t>(a)); }
+STEWARD_INLINE double roundDown(double a) { double toZero = cut(a); return toZero > a ? toZero - 1 : toZero; }
+STEWARD_INLINE V all(double value) { return {{value, value}, {value, value}}; }
+STEWARD_INLINE V load(const double* from) { return {{from[0], from[1]}, {from[2], from[3]}}; }
+STEWARD_INLINE void store(double* to, V value) {
+    to[0] = value.low.low;
+    to[1] = value.low.high;
+    to[2] = value.high.low;
+    to[3] = value.high.high;
+}
+STEWARD_INLINE V whole(const std::int32_t* from) {
+    return {{1.0 * from[0], 1.0 * from[1]}, {1.0 * from[2], 1.0 * from[3]}};
+}
+STEWARD_INLINE int lanesOf(M mask) {
+    return (mask.low.low ? 1 : 0) | (mask.low.high ? 2 : 0) | (mask.high.low ? 4 : 0) | (mask.high.high ? 8 : 0);
+}
+STEWARD_INLINE V nextPods(V a) { return {{a.low.high, a.high.low}, {a.high.high, a.low.low}}; }
 #endif
-constexpr int EVERY = (1 << LANES) - 1, EVERY_POD = (1 << PODS) - 1;
+#define STEWARD_OF_ONE(of) template <class T> STEWARD_INLINE auto of(Pair<T> a) { return pair(of(a.low), of(a.high)); }
+#define STEWARD_OF_TWO(of) template <class T, class U> STEWARD_INLINE auto of(Pair<T> a, Pair<U> b) { \
+    return pair(of(a.low, b.low), of(a.high, b.high)); }
+STEWARD_OF_ONE(isNan) STEWARD_OF_ONE(size) STEWARD_OF_ONE(roundDown) STEWARD_OF_ONE(cut)
+STEWARD_OF_TWO(less) STEWARD_OF_TWO(atMost) STEWARD_OF_TWO(equal)
+STEWARD_OF_TWO(both) STEWARD_OF_TWO(either) STEWARD_OF_TWO(without)
+STEWARD_OF_TWO(onlyIf) STEWARD_OF_TWO(withSign) STEWARD_OF_TWO(oppositeIf) STEWARD_OF_TWO(next)
+#undef STEWARD_OF_ONE
+#undef STEWARD_OF_TWO
+template <class T> STEWARD_INLINE Pair<T> operator+(Pair<T> a, Pair<T> b) { return {a.low + b.low, a.high + b.high}; }
+template <class T> STEWARD_INLINE Pair<T> operator-(Pair<T> a, Pair<T> b) { return {a.low - b.low, a.high - b.high}; }
+template <class T> STEWARD_INLINE Pair<T> operator*(Pair<T> a, Pair<T> b) { return {a.low * b.low, a.high * b.high}; }
+template <class T> STEWARD_INLINE Pair<T> operator/(Pair<T> a, Pair<T> b) { return {a.low / b.low, a.high / b.high}; }
+template <class T, class U> STEWARD_INLINE Pair<U> select(Pair<T> mask, Pair<U> yes, Pair<U> no) {
+    return {select(mask.low, yes.low, no.low), select(mask.high, yes.high, no.high)};
+}
+STEWARD_INLINE V oppositePods(V a) { return {a.high, a.low}; }
+#endif
+constexpr int EVERY = (1 << PODS) - 1;                 // as a mask's lanes
+STEWARD_INLINE bool any(M mask) { return lanesOf(mask) != 0; }
+STEWARD_INLINE bool every(M mask) { return lanesOf(mask) == EVERY; }
 
 /* ---- Sine and cosine by their series in 192 binary digits: for what the quick form leaves in doubt. ---- */
 
@@ -203,9 +273,14 @@ constexpr int EVERY = (1 << LANES) - 1, EVERY_POD = (1 << PODS) - 1;
 struct Wide { std::uint64_t w[3]; };
 
 constexpr std::uint64_t high(std::uint64_t a, std::uint64_t b) {
+#if defined(__SIZEOF_INT128__)
+    __extension__ typedef unsigned __int128 Product;
+    return static_cast<std::uint64_t>(static_cast<Product>(a) * b >> 64);
+#else
     std::uint64_t al = a & 0xffffffffu, ah = a >> 32, bl = b & 0xffffffffu, bh = b >> 32;
     std::uint64_t middle = ah * bl + (al * bl >> 32), lower = al * bh + (middle & 0xffffffffu);
     return ah * bh + (middle >> 32) + (lower >> 32);
+#endif
 }
 
 /* Adds to a number of words from one of them on. */
@@ -219,10 +294,13 @@ inline void add(std::uint64_t* to, int at, int words, std::uint64_t value) {
 inline Wide times(const Wide& a, const Wide& b) {
     std::uint64_t product[6] = {};
     for (int i = 0; i < 3; i++) {
+        std::uint64_t carry = 0;
         for (int j = 0; j < 3; j++) {
-            add(product, i + j, 6, a.w[i] * b.w[j]);
-            add(product, i + j + 1, 6, high(a.w[i], b.w[j]));
+            std::uint64_t lower = a.w[i] * b.w[j] + carry, upper = high(a.w[i], b.w[j]) + (lower < carry);
+            product[i + j] += lower;
+            carry = upper + (product[i + j] < lower);
         }
+        product[i + 3] = carry;
     }
     return {{product[3], product[4], product[5]}};
 }
@@ -373,8 +451,23 @@ struct Directions {
 };
 inline constexpr Directions DIRECTIONS{};
 
+#if STEWARD_SSE2
+/* Two columns of four rows. */
+STEWARD_INLINE void column(const double* const* rows, int at, V& first, V& second) {
+    __m128d a = _mm_loadu_pd(rows[0] + at), b = _mm_loadu_pd(rows[1] + at);
+    __m128d c = _mm_loadu_pd(rows[2] + at), d = _mm_loadu_pd(rows[3] + at);
+    first = {{_mm_unpacklo_pd(a, b)}, {_mm_unpacklo_pd(c, d)}};
+    second = {{_mm_unpackhi_pd(a, b)}, {_mm_unpackhi_pd(c, d)}};
+}
+#elif !STEWARD_AVX2
+STEWARD_INLINE void column(const double* const* rows, int at, V& first, V& second) {
+    first = {{rows[0][at], rows[1][at]}, {rows[2][at], rows[3][at]}};
+    second = {{rows[0][at + 1], rows[1][at + 1]}, {rows[2][at + 1], rows[3][at + 1]}};
+}
+#endif
+
 /* The rows of the directions given by the last eight bits of numbers, as columns. */
-inline void directions(V shifted, V& s1, V& s2, V& c1, V& c2) {
+STEWARD_INLINE void directions(V shifted, V& s1, V& s2, V& c1, V& c2) {
 #if STEWARD_AVX2
     alignas(32) std::uint64_t at[4];
     _mm256_store_si256(reinterpret_cast<__m256i*>(at), _mm256_castpd_si256(shifted));
@@ -386,28 +479,22 @@ inline void directions(V shifted, V& s1, V& s2, V& c1, V& c2) {
     s2 = _mm256_permute2f128_pd(high01, high23, 0x20);
     c1 = _mm256_permute2f128_pd(low01, low23, 0x31);
     c2 = _mm256_permute2f128_pd(high01, high23, 0x31);
-#elif STEWARD_SSE2
-    alignas(16) std::uint64_t at[2];
-    _mm_store_si128(reinterpret_cast<__m128i*>(at), _mm_castpd_si128(shifted));
-    const double* first = DIRECTIONS.row[at[0] & 255];
-    const double* second = DIRECTIONS.row[at[1] & 255];
-    s1 = _mm_unpacklo_pd(load(first), load(second));
-    s2 = _mm_unpackhi_pd(load(first), load(second));
-    c1 = _mm_unpacklo_pd(load(first + 2), load(second + 2));
-    c2 = _mm_unpackhi_pd(load(first + 2), load(second + 2));
 #else
-    const double* row = DIRECTIONS.row[bits(shifted) & 255];
-    s1 = row[0];
-    s2 = row[1];
-    c1 = row[2];
-    c2 = row[3];
+    double numbers[PODS];
+    store(numbers, shifted);
+    const double* rows[PODS];
+    for (int pod = 0; pod < PODS; pod++) {
+        rows[pod] = DIRECTIONS.row[bits(numbers[pod]) & 255];
+    }
+    column(rows, 0, s1, s2);
+    column(rows, 2, c1, c2);
 #endif
 }
 
 /* The angle is k pi/128 + r; with S, C of k pi/128, sin = S cos r + C sin r. First parts S1, C1, r1, cos1 are multiples
    of 2^-26, so that the heads below are exact; the rests are off by less than 2^-70.3 (Tang 1991, Ziv 1991; the proof
    of each step stands in Steward's SineCosine). If rests greater and less by 2^-70 round alike, so does the truth. */
-inline void turn(V angle, M wanted, V& cosine, V& sine) {
+STEWARD_INLINE void turn(V angle, M wanted, V& cosine, V& sine) {
     const V toWhole = all(0x1.8p52), toGrid = all(0x1.8p26), one = all(1), half = all(0.5), error = all(0x1p-70);
     V shifted = angle * all(0x1.45f306dc9c883p5) + toWhole;
     V steps = shifted - toWhole;
@@ -435,15 +522,15 @@ inline void turn(V angle, M wanted, V& cosine, V& sine) {
     cosine = headOfCosine + (restOfCosine + error);
     M certain = both(equal(sine, headOfSine + (restOfSine - error)),
         both(equal(cosine, headOfCosine + (restOfCosine - error)), atMost(size(angle), all(0x1p10))));
-    if (lanesOf(without(wanted, certain)) != 0) {
+    if (any(without(wanted, certain))) {
         int doubtful = lanesOf(without(wanted, certain));
-        double angles[LANES], cosines[LANES], sines[LANES];
+        double angles[PODS], cosines[PODS], sines[PODS];
         store(angles, angle);
         store(cosines, cosine);
         store(sines, sine);
-        for (int lane = 0; lane < LANES; lane++) {
-            if (doubtful >> lane & 1) {
-                turnSlowly(angles[lane], cosines[lane], sines[lane]);
+        for (int pod = 0; pod < PODS; pod++) {
+            if (doubtful >> pod & 1) {
+                turnSlowly(angles[pod], cosines[pod], sines[pod]);
             }
         }
         cosine = load(cosines);
@@ -451,9 +538,17 @@ inline void turn(V angle, M wanted, V& cosine, V& sine) {
     }
 }
 
+/* Cosines and sines of headings, for other files: by a call, so that these keep their own flags to themselves. */
+STEWARD_ONE_CALL inline void directionsOf(const double* headings, double* cosines, double* sines) {
+    V heading = load(headings), cosine, sine;
+    turn(heading, equal(heading, heading), cosine, sine);
+    store(cosines, cosine);
+    store(sines, sine);
+}
+
 /* ---- The arc tangent of StrictMath: fdlibm's reductions, polynomial and order of operations. ---- */
 
-inline V atan2(V y, V x) {
+STEWARD_INLINE V atan2(V y, V x) {
     const V one = all(1), pi = all(PI), piLow = all(0x1.1a62633145c07p-53), halfPi = all(PI / 2);
     V ratio = size(y / x);
     M range1 = atMost(all(0.4375), ratio), range2 = atMost(all(0.6875), ratio);
@@ -472,39 +567,38 @@ inline V atan2(V y, V x) {
     V odd = w * (all(-0x1.999999998ebc4p-3) + w * (all(-0x1.c71c6fe231671p-4) + w * (all(-0x1.3b0f2af749a6dp-4)
         + w * (all(-0x1.dde2d52defd9ap-5) + w * all(-0x1.2b4442c6a6c2fp-5)))));
     V angle = up - ((rest * (even + odd) - upLow) - rest);
-    M small = less(ratio, all(0x1p-28)), great = less(all(0x1p58), ratio);
+    M small = less(ratio, all(0x1p-28)), great = less(all(0x1p58), ratio);       // great if x is 0, too
     M special = either(small, great);
-    if (lanesOf(special) != 0) {
+    if (any(special)) {
         angle = select(great, halfPi, select(small, ratio, angle));
     }
-    V right = select(less(all(0), x), angle, pi - (angle - piLow));
-    return withSign(select(equal(x, all(0)), halfPi, right), y);
+    return withSign(select(atMost(all(0), x), angle, pi - (angle - piLow)), y);
 }
 
 /* ---- Headings. ---- */
 
-/* size % FULL_TURN of sizes from twice FULL_TURN on. */
-inline V remainderOfFar(V size) {
-    double sizes[LANES];
-    store(sizes, size);
-    for (double& each : sizes) {
-        each = std::fmod(each, FULL_TURN);
+/* Sizes modulo FULL_TURN. */
+STEWARD_ONE_CALL inline void remainders(double* sizes) {
+    for (int pod = 0; pod < PODS; pod++) {
+        sizes[pod] = std::fmod(sizes[pod], FULL_TURN);
     }
-    return load(sizes);
 }
 
 /* The heading after a turn towards another by at most 18 degrees; the other if there is none yet. The rules take
-   delta = (other - heading) % FULL_TURN and 2 delta % FULL_TURN - delta; differences within a factor of 2 are exact. */
-inline V turned(V heading, V other, M wanted) {
-    const V turn = all(FULL_TURN), most = all(MAXIMUM_TURN);
+   delta = (other - heading) % FULL_TURN and 2 delta % FULL_TURN - delta, which is delta below half a turn and
+   delta - FULL_TURN from there on: differences within a factor of 2 are exact. */
+STEWARD_INLINE V turned(V heading, V other) {
+    const V turn = all(FULL_TURN), half = all(PI), most = all(MAXIMUM_TURN);
     V difference = other - heading;
-    V delta = size(difference);
-    delta = select(atMost(turn, delta), delta - turn, delta);
-    if (lanesOf(both(wanted, atMost(turn, delta))) != 0) {
-        delta = remainderOfFar(size(difference));
+    V delta = size(difference), once = delta - turn, twice = once - turn;
+    V shortest = select(less(delta, half), delta, select(less(once, half), once, twice));
+    if (any(atMost(turn, once))) {                     // two turns or more between them
+        double sizes[PODS];
+        store(sizes, delta);
+        remainders(sizes);
+        delta = load(sizes);
+        shortest = select(less(delta, half), delta, delta - turn);
     }
-    V twice = delta + delta;
-    V shortest = select(atMost(turn, twice), (twice - turn) - delta, delta);
     V side = withSign(most, oppositeIf(shortest, difference));
     return select(atMost(most, size(shortest)), heading + side, other);
 }
@@ -516,12 +610,12 @@ constexpr int FIRST[] = {3, 3, 3, 2, 2, 1}, SECOND[] = {2, 1, 0, 1, 0, 0};
 
 /* True if two circles whose centres are (dx, dy) apart surely stay farther apart than they may, the square of which is
    reach less 1, until time: then the rules' own expressions find no impact (proof in Steward's OfficialAdvance). */
-inline M staysFar(V dx, V dy, V wx, V wy, V time, V reach) {
+STEWARD_INLINE M staysFar(V dx, V dy, V wx, V wy, V time, V reach) {
     const V zero = all(0);
     V c = all(1 - 0x1p-40) * (dx * dx + dy * dy) - reach;
     V b = dx * wx + dy * wy;
     M far = less(zero, c + (b - size(b)) * time);
-    if (lanesOf(far) == EVERY) {
+    if (every(far)) {
         return far;
     }
     V a = wx * wx + wy * wy;
@@ -531,19 +625,23 @@ inline M staysFar(V dx, V dy, V wx, V wy, V time, V reach) {
     return either(far, both(less(zero, c), laterFar));
 }
 
+/* Places and velocities of the pods. */
+struct Motion {
+    V x, y, vx, vy;
+
+    STEWARD_INLINE void fly(double time) {
+        x = x + vx * all(time);
+        y = y + vy * all(time);
+    }
+};
+
 /* The pairs that may meet before the time left is over. */
-inline int nearPairs(const double* x, const double* y, const double* vx, const double* vy, double left) {
+STEWARD_INLINE int nearPairs(const Motion& of, double left) {
     const V time = all(left), reach = all(TOUCH * TOUCH + 1);
-#if STEWARD_AVX2
-    V px = load(x), py = load(y), wx = load(vx), wy = load(vy);
-#define STEWARD_NEXT(v) _mm256_permute4x64_pd(v, 0x39)
-#define STEWARD_OPPOSITE(v) _mm256_permute4x64_pd(v, 0x4e)
-    int next = lanesOf(staysFar(px - STEWARD_NEXT(px), py - STEWARD_NEXT(py), wx - STEWARD_NEXT(wx),
-        wy - STEWARD_NEXT(wy), time, reach));
-    int opposite = lanesOf(staysFar(px - STEWARD_OPPOSITE(px), py - STEWARD_OPPOSITE(py), wx - STEWARD_OPPOSITE(wx),
-        wy - STEWARD_OPPOSITE(wy), time, reach));
-#undef STEWARD_NEXT
-#undef STEWARD_OPPOSITE
+    int next = lanesOf(staysFar(of.x - nextPods(of.x), of.y - nextPods(of.y), of.vx - nextPods(of.vx),
+        of.vy - nextPods(of.vy), time, reach));
+    int opposite = lanesOf(staysFar(of.x - oppositePods(of.x), of.y - oppositePods(of.y),
+        of.vx - oppositePods(of.vx), of.vy - oppositePods(of.vy), time, reach));
     if ((next & opposite) == EVERY) {
         return 0;
     }
@@ -551,24 +649,10 @@ inline int nearPairs(const double* x, const double* y, const double* vx, const d
     opposite ^= EVERY;
     return (next >> 2 & 1) | (opposite & 2) | (next >> 3 & 1) << 2 | (next >> 1 & 1) << 3 | (opposite & 1) << 4
         | (next & 1) << 5;
-#else
-    int near = 0;
-    for (int pair = 0; pair < 6; pair += LANES) {
-        double dx[LANES], dy[LANES], wx[LANES], wy[LANES];
-        for (int lane = 0; lane < LANES; lane++) {
-            int i = FIRST[pair + lane], j = SECOND[pair + lane];
-            dx[lane] = x[i] - x[j];
-            dy[lane] = y[i] - y[j];
-            wx[lane] = vx[i] - vx[j];
-            wy[lane] = vy[i] - vy[j];
-        }
-        near |= (lanesOf(staysFar(load(dx), load(dy), load(wx), load(wy), time, reach)) ^ EVERY) << pair;
-    }
-    return near;
-#endif
 }
 
-/* The pods within a turn, and the corners of their paths: one an impact, a later one at the same time replaces it. */
+/* The pods in a turn with impacts, and the corners of their paths: one an impact, a later one at the same time replaces
+   it. */
 struct Flight {
     struct Corner { double time, x, y; int pod; };
 
@@ -577,6 +661,18 @@ struct Flight {
     int corners = 0, last[PODS] = {-1, -1, -1, -1};
     Corner some[32];
     std::vector<Corner> more;
+
+    Flight(const Motion& from, const std::int32_t* flags) {
+        store(x, from.x);
+        store(y, from.y);
+        store(vx, from.vx);
+        store(vy, from.vy);
+        for (int pod = 0; pod < PODS; pod++) {
+            inverseMass[pod] = flags[pod] & HEAVY ? 1.0 / 10 : 1;
+        }
+    }
+
+    Motion motion() const { return {load(x), load(y), load(vx), load(vy)}; }
 
     const Corner& corner(int k) const { return k < 32 ? some[k] : more[k - 32]; }
 
@@ -592,10 +688,9 @@ struct Flight {
     }
 
     void fly(double time) {
-        const V by = all(time);
-        for (int pod = 0; pod < PODS; pod += LANES) {
-            store(x + pod, load(x + pod) + load(vx + pod) * by);
-            store(y + pod, load(y + pod) + load(vy + pod) * by);
+        for (int pod = 0; pod < PODS; pod++) {
+            x[pod] += vx[pod] * time;
+            y[pod] += vy[pod] * time;
         }
     }
 
@@ -627,9 +722,10 @@ struct Flight {
         for (int left = MOST_IMPACTS;;) {
             double times[6];
             int pairs[6], found = 0;
-            for (int pair = 0; pair < 6; pair++) {
+            for (; near != 0; near &= near - 1) {
+                int pair = lowest(near);
                 double time;
-                if ((near >> pair & 1) && meets(FIRST[pair], SECOND[pair], 1 - now, time)) {
+                if (meets(FIRST[pair], SECOND[pair], 1 - now, time)) {
                     int k = found++;
                     for (; k > 0 && times[k - 1] > now + time; k--) {
                         times[k] = times[k - 1];
@@ -648,7 +744,7 @@ struct Flight {
             for (int k = 0; k < found && times[k] - now <= WINDOW; k++, left--) {
                 react(FIRST[pairs[k]], SECOND[pairs[k]], times[k]);
             }
-            near = nearPairs(x, y, vx, vy, 1 - now);
+            near = nearPairs(motion(), 1 - now);
         }
     }
 
@@ -660,7 +756,11 @@ struct Flight {
             return true;
         }
         double wx = vx[i] - vx[j], wy = vy[i] - vy[j];
-        double a = wx * wx + wy * wy, b = dx * wx + dy * wy, c = square - TOUCH * TOUCH;
+        double b = dx * wx + dy * wy;
+        if (b >= 0) {                                  // then the time is not above 0
+            return false;
+        }
+        double a = wx * wx + wy * wy, c = square - TOUCH * TOUCH;
         double discriminant = b * b - a * c;
         if (!(discriminant > 0) || a == 0) {
             return false;
@@ -670,8 +770,9 @@ struct Flight {
     }
 };
 
-/* The distance of a point from the segment a-b, with the operations of java.awt.geom.Line2D.ptSegDist. */
-inline double distance(double x, double y, double ax, double ay, double bx, double by) {
+/* The square of the distance of a point from the segment a-b, by the operations of java.awt.geom.Line2D.ptSegDist, which
+   takes the root of it, and of 0 if rounding makes it less. */
+inline double squareOfDistance(double x, double y, double ax, double ay, double bx, double by) {
     double dx = bx - ax, dy = by - ay, ex = x - ax, ey = y - ay, projected = 0;
     double along = ex * dx + ey * dy;
     if (along > 0) {
@@ -682,8 +783,14 @@ inline double distance(double x, double y, double ax, double ay, double bx, doub
             projected = along * along / (dx * dx + dy * dy);
         }
     }
-    double square = ex * ex + ey * ey - projected;
-    return std::sqrt(square > 0 ? square : 0);
+    return ex * ex + ey * ey - projected;
+}
+
+/* True if a point is surely more than CHECKPOINT from the segment a-b, by the rules' operations too: it is farther from
+   a than CHECKPOINT and the segment together, as (r + s)^2 is at most 2 (r^2 + s^2). */
+inline bool isFar(double x, double y, double ax, double ay, double bx, double by) {
+    double dx = bx - ax, dy = by - ay, ex = x - ax, ey = y - ay, square = dx * dx + dy * dy;
+    return square < SHORT * SHORT && ex * ex + ey * ey > 2 * (square + (CHECKPOINT * CHECKPOINT + 1));
 }
 
 } // namespace podrace
@@ -732,7 +839,8 @@ class Map {
 public:
     /// Throws std::invalid_argument for a map that cannot be, std::runtime_error if the arithmetic is not exact.
     explicit Map(const std::vector<std::pair<double, double>>& checkpoints, Rules rules = Rules::live)
-        : reachOfPath(rules == Rules::live ? 599.9999999999999 : 600), reachOfEnd(rules == Rules::live ? 600 : -1) {
+        : squareOfPath(rules == Rules::live ? podrace::WITHIN_CHECKPOINT : podrace::AT_CHECKPOINT),
+          squareOfEnd(rules == Rules::live ? podrace::AT_CHECKPOINT : -1) {
         require(checkpoints.size() >= 2, "fewer than two checkpoints");
         require(checkpoints[0] != checkpoints[1], "checkpoints 0 and 1 in one place");
         for (const auto& place : checkpoints) {
@@ -792,30 +900,16 @@ public:
 
     /// Plays one turn. Returns false if it had more than 14,000 impacts; then the state is not the referee's.
     STEWARD_ONE_CALL bool play(State& state, const Commands& commands) const {
-        using namespace podrace;
-        Flight flight;
-        steer(state, commands, flight);
+        podrace::Motion motion = steer(state, commands);
         state.left[0]--;
         state.left[1]--;
-        bool whole = true;
-        int near = nearPairs(flight.x, flight.y, flight.vx, flight.vy, 1);
-        if (near == 0) {
-            flight.fly(1);
-        } else {
-            for (int pod = 0; pod < PODS; pod++) {
-                flight.inverseMass[pod] = state.flags[pod] & HEAVY ? 1.0 / 10 : 1;
-            }
-            whole = flight.collide(near);
+        int near = podrace::nearPairs(motion, 1);
+        if (near != 0) {
+            return collide(state, motion, near);
         }
-        int mayPass = end(state, flight);
-        for (int pod = 0; mayPass >> pod != 0; pod++) {
-            if ((mayPass >> pod & 1) && pass(state, pod, flight)) {
-                state.left[pod / 2] = 100;
-            }
-        }
-        copy(state.x, flight.x);
-        copy(state.y, flight.y);
-        return whole;
+        motion.fly(1);
+        end(state, motion, nullptr);
+        return true;
     }
 
     /// Moves to other checkpoints under the rules it has; allocates nothing if it had as many before. Each as the
@@ -848,10 +942,11 @@ public:
 
 private:
     std::vector<double> x, y;
-    double reachOfPath, reachOfEnd;
+    double squareOfPath, squareOfEnd;
 
     Map(const double* px, const double* py, int count)
-        : x(px, px + count), y(py, py + count), reachOfPath(599.9999999999999), reachOfEnd(600) { }
+        : x(px, px + count), y(py, py + count), squareOfPath(podrace::WITHIN_CHECKPOINT),
+          squareOfEnd(podrace::AT_CHECKPOINT) { }
 
     static void require(bool fulfilled, const char* found) {
         if (!fulfilled) {
@@ -871,16 +966,29 @@ private:
         return z ^ z >> 31;
     }
 
-    static void copy(double* to, const double* from) {
-        for (int pod = 0; pod < podrace::PODS; pod += podrace::LANES) {
-            podrace::store(to + pod, podrace::load(from + pod));
-        }
+    /* The motion of a turn in which some pairs may meet, and its end. */
+    STEWARD_ONE_CALL bool collide(State& state, const podrace::Motion& motion, int near) const {
+        podrace::Flight flight(motion, state.flags);
+        bool whole = flight.collide(near);
+        end(state, flight.motion(), &flight);
+        return whole;
     }
 
-    /* Shields, boosts and timers: the thrust of each pod, and which pods have a command. */
-    static int order(State& state, const Commands& commands, std::int32_t* power) {
+    /* Shields, boosts and timers: the thrust of each pod. */
+    static void order(State& state, const Commands& commands, std::int32_t* power) {
         using namespace podrace;
-        int commanded = 0;
+#if STEWARD_AVX2 || STEWARD_SSE2
+        __m128i thrusts = _mm_load_si128(reinterpret_cast<const __m128i*>(commands.thrust));
+        if (_mm_movemask_ps(_mm_castsi128_ps(thrusts)) == 0) {
+            __m128i* at = reinterpret_cast<__m128i*>(state.flags);
+            __m128i flags = _mm_load_si128(at), zero = _mm_setzero_si128();
+            __m128i timer = _mm_and_si128(flags, _mm_set1_epi32(TIMER));
+            timer = _mm_add_epi32(timer, _mm_cmpgt_epi32(timer, zero));
+            _mm_store_si128(at, _mm_or_si128(timer, _mm_and_si128(flags, _mm_set1_epi32(BOOST_LEFT))));
+            _mm_store_si128(reinterpret_cast<__m128i*>(power), _mm_and_si128(thrusts, _mm_cmpeq_epi32(timer, zero)));
+            return;
+        }
+#endif
         for (int pod = 0; pod < PODS; pod++) {
             int thrust = commands.thrust[pod], flags = state.flags[pod];
             int timer = thrust == SHIELD ? 4 : (flags & TIMER) > 0 ? (flags & TIMER) - 1 : 0;
@@ -889,131 +997,107 @@ private:
             state.flags[pod] = timer | heavy | boost;
             thrust = thrust == BOOST ? (flags & BOOST_LEFT ? 650 : 200) : thrust < 0 ? 0 : thrust;
             power[pod] = timer == 0 ? thrust : 0;
-            commanded |= commands.thrust[pod] == NO_COMMAND ? 0 : 1 << pod;
         }
-        return commanded;
     }
 
-    static void steer(State& state, const Commands& commands, podrace::Flight& flight) {
+    /* Commands and headings. Returns places and speeds at the beginning of the turn. */
+    STEWARD_INLINE static podrace::Motion steer(State& state, const Commands& commands) {
         using namespace podrace;
         alignas(16) std::int32_t powers[PODS];
-        int commanded = EVERY_POD;
-#if STEWARD_AVX2
-        __m128i thrusts = _mm_load_si128(reinterpret_cast<const __m128i*>(commands.thrust));
-        if (_mm_movemask_ps(_mm_castsi128_ps(thrusts)) == 0) {
-            __m128i* at = reinterpret_cast<__m128i*>(state.flags);
-            __m128i flags = _mm_load_si128(at), zero = _mm_setzero_si128();
-            __m128i timer = _mm_max_epi32(_mm_sub_epi32(_mm_and_si128(flags, _mm_set1_epi32(TIMER)),
-                _mm_set1_epi32(1)), zero);
-            _mm_store_si128(at, _mm_or_si128(timer, _mm_and_si128(flags, _mm_set1_epi32(BOOST_LEFT))));
-            _mm_store_si128(reinterpret_cast<__m128i*>(powers), _mm_and_si128(thrusts, _mm_cmpeq_epi32(timer, zero)));
-        } else {
-            commanded = order(state, commands, powers);
+        order(state, commands, powers);
+        V px = load(state.x), py = load(state.y), heading = load(state.heading);
+        V vx = load(state.vx), vy = load(state.vy), power = whole(powers);
+        V targetX = load(commands.x), targetY = load(commands.y);
+        V dx = targetX - px, dy = targetY - py;
+        M byAngle = isNan(targetY);
+        M drifts = either(equal(whole(commands.thrust), all(NO_COMMAND)),
+            either(both(byAngle, isNan(heading)), both(equal(dx, all(0)), equal(dy, all(0)))));
+        V wanted = heading;
+        if (!every(byAngle)) {
+            wanted = turned(heading, podrace::atan2(dy, dx));
         }
-#else
-        commanded = order(state, commands, powers);
-#endif
-        for (int pod = 0; pod < PODS; pod += LANES) {
-            V px = load(state.x + pod), py = load(state.y + pod), heading = load(state.heading + pod);
-            V vx = load(state.vx + pod), vy = load(state.vy + pod), power = whole(powers + pod);
-            V targetX = load(commands.x + pod), targetY = load(commands.y + pod);
-            V dx = targetX - px, dy = targetY - py;
-            M byAngle = isNan(targetY);
-            M steers = without(maskOf(commanded >> pod), either(both(byAngle, isNan(heading)),
-                both(equal(dx, all(0)), equal(dy, all(0)))));
-            V wanted = heading;
-            if (lanesOf(byAngle) != EVERY) {
-                wanted = turned(heading, podrace::atan2(dy, dx), without(steers, byAngle));
-            }
-            if (lanesOf(byAngle) != 0) {
-                wanted = select(byAngle, select(equal(targetX, all(0)), heading, heading + targetX), wanted);
-            }
-            heading = select(steers, wanted, heading);
-            M pushed = both(steers, less(all(0), power));
-            V cosine, sine;
-            turn(heading, pushed, cosine, sine);
-            // The rules divide both by the root n of this sum, which is 1 - 2^-52, 1 - 2^-53, 1 or 1 + 2^-52, as both
-            // are correctly rounded. So n is 1 - 2^-53 or 1, and a quotient by 1 - 2^-53 is the next greater double.
-            M shortened = less(cosine * cosine + sine * sine, all(1));
-            store(state.heading + pod, heading);
-            store(flight.x + pod, px);
-            store(flight.y + pod, py);
-            store(flight.vx + pod, select(pushed, vx + next(shortened, cosine) * power, vx));
-            store(flight.vy + pod, select(pushed, vy + next(shortened, sine) * power, vy));
+        if (any(byAngle)) {
+            wanted = select(byAngle, select(equal(targetX, all(0)), heading, heading + targetX), wanted);
         }
+        heading = select(drifts, heading, wanted);
+        M pushed = without(less(all(0), power), drifts);
+        V cosine, sine;
+        turn(heading, pushed, cosine, sine);
+        // The rules divide both by the root n of this sum, which is 1 - 2^-52, 1 - 2^-53, 1 or 1 + 2^-52, as both
+        // are correctly rounded. So n is 1 - 2^-53 or 1, and a quotient by 1 - 2^-53 is the next greater double.
+        M shortened = less(cosine * cosine + sine * sine, all(1));
+        store(state.heading, heading);
+        return {px, py, select(pushed, vx + next(shortened, cosine) * power, vx),
+            select(pushed, vy + next(shortened, sine) * power, vy)};
     }
 
-    /* Drag and rounding, places in the flight. Returns the pods that may have passed their next checkpoint. */
-    int end(State& state, podrace::Flight& flight) const {
+    /* Drag, rounding and checkpoints. */
+    STEWARD_INLINE void end(State& state, const podrace::Motion& motion, const podrace::Flight* flight) const {
         using namespace podrace;
-        int mayPass = 0;
-        for (int pod = 0; pod < PODS; pod += LANES) {
-            const V zero = all(0), half = all(0.5), keep = all(KEEP);
-            V toX = roundDown(load(flight.x + pod) + half) + zero, toY = roundDown(load(flight.y + pod) + half) + zero;
-            store(flight.x + pod, toX);
-            store(flight.y + pod, toY);
-            store(state.vx + pod, cut(load(flight.vx + pod) * keep) + zero);
-            store(state.vy + pod, cut(load(flight.vy + pod) * keep) + zero);
-            V fromX = load(state.x + pod), fromY = load(state.y + pod), pathX = toX - fromX, pathY = toY - fromY;
-            M far = staysFar(fromX - placesOf(x, state.next + pod), fromY - placesOf(y, state.next + pod), pathX, pathY,
-                all(1), all(CHECKPOINT * CHECKPOINT + 1));
-            // longer paths round the rules' distance by more than the filter's margin
-            far = both(far, less(size(pathX) + size(pathY), all(0x1p24)));
-            mayPass |= (lanesOf(far) ^ EVERY) << pod;
+        const V zero = all(0), half = all(0.5), keep = all(KEEP);
+        V toX = roundDown(motion.x + half), toY = roundDown(motion.y + half);
+        V fromX = load(state.x), fromY = load(state.y), pathX = toX - fromX, pathY = toY - fromY;
+        store(state.x, toX);
+        store(state.y, toY);
+        store(state.vx, cut(motion.vx * keep) + zero);
+        store(state.vy, cut(motion.vy * keep) + zero);
+        M far = staysFar(fromX - placesOf(x, state.next), fromY - placesOf(y, state.next), pathX, pathY, all(1),
+            all(CHECKPOINT * CHECKPOINT + 1));
+        far = both(far, less(size(pathX) + size(pathY), all(SHORT)));
+        int mayPass = lanesOf(far) ^ EVERY;
+        for (int pod = 0; flight != nullptr && pod < PODS; pod++) {
+            mayPass |= flight->last[pod] >= 0 ? 1 << pod : 0;
         }
-        for (int pod = 0; flight.corners > 0 && pod < PODS; pod++) {
-            mayPass |= flight.last[pod] >= 0 ? 1 << pod : 0;
+        if (mayPass != 0) {
+            double startX[PODS], startY[PODS];
+            store(startX, fromX);
+            store(startY, fromY);
+            pass(state, startX, startY, mayPass, flight);
         }
-        return mayPass;
     }
 
     static podrace::V placesOf(const std::vector<double>& of, const std::int32_t* next) {
 #if STEWARD_AVX2
         return _mm256_set_pd(of[next[3]], of[next[2]], of[next[1]], of[next[0]]);
 #elif STEWARD_SSE2
-        return _mm_set_pd(of[next[1]], of[next[0]]);
+        return {{_mm_set_pd(of[next[1]], of[next[0]])}, {_mm_set_pd(of[next[3]], of[next[2]])}};
 #else
-        return of[*next];
+        return {{of[next[0]], of[next[1]]}, {of[next[2]], of[next[3]]}};
 #endif
     }
 
-    static podrace::M maskOf(int set) {
-#if STEWARD_AVX2
-        return _mm256_castsi256_pd(_mm256_cmpgt_epi64(_mm256_and_si256(_mm256_set1_epi64x(set),
-            _mm256_set_epi64x(8, 4, 2, 1)), _mm256_setzero_si256()));
-#elif STEWARD_SSE2
-        return _mm_castsi128_pd(_mm_set_epi32(-(set >> 1 & 1), -(set >> 1 & 1), -(set & 1), -(set & 1)));
-#else
-        return (set & 1) != 0;
-#endif
-    }
-
-    /* Counts the checkpoints on the path of a pod, on behind the finish too, each once at most. */
-    bool pass(State& state, int pod, const podrace::Flight& flight) const {
-        bool any = false;
-        for (int most = checkpoints(); most > 0 && passes(state, pod, flight); most--) {
-            any = true;
-            state.passed[pod]++;
-            state.next[pod] = state.next[pod] + 1 < checkpoints() ? state.next[pod] + 1 : 0;
+    /* Counts the checkpoints on the paths of some pods, on behind the finish too, each once at most. */
+    STEWARD_ONE_CALL void pass(State& state, const double* startX, const double* startY, int pods,
+                               const podrace::Flight* flight) const {
+        for (; pods != 0; pods &= pods - 1) {
+            int pod = podrace::lowest(pods);
+            for (int most = checkpoints(); most > 0 && passes(state, pod, startX[pod], startY[pod], flight); most--) {
+                state.passed[pod]++;
+                state.next[pod] = state.next[pod] + 1 < checkpoints() ? state.next[pod] + 1 : 0;
+                state.left[pod / 2] = 100;
+            }
         }
-        return any;
     }
 
-    bool passes(const State& state, int pod, const podrace::Flight& flight) const {
-        double cx = x[state.next[pod]], cy = y[state.next[pod]], fromX = state.x[pod], fromY = state.y[pod];
-        for (int k = 0; k < flight.corners; k++) {
-            const podrace::Flight::Corner& corner = flight.corner(k);
+    bool passes(const State& state, int pod, double fromX, double fromY, const podrace::Flight* flight) const {
+        double cx = x[state.next[pod]], cy = y[state.next[pod]];
+        for (int k = 0; flight != nullptr && k < flight->corners; k++) {
+            const podrace::Flight::Corner& corner = flight->corner(k);
             if (corner.pod == pod) {
-                if (podrace::distance(cx, cy, fromX, fromY, corner.x, corner.y) <= reachOfPath) {
+                if (reaches(cx, cy, fromX, fromY, corner.x, corner.y)) {
                     return true;
                 }
                 fromX = corner.x;
                 fromY = corner.y;
             }
         }
-        double dx = cx - flight.x[pod], dy = cy - flight.y[pod];
-        return podrace::distance(cx, cy, fromX, fromY, flight.x[pod], flight.y[pod]) <= reachOfPath
-            || std::sqrt(dx * dx + dy * dy) <= reachOfEnd;
+        double dx = cx - state.x[pod], dy = cy - state.y[pod];
+        return reaches(cx, cy, fromX, fromY, state.x[pod], state.y[pod]) || dx * dx + dy * dy <= squareOfEnd;
+    }
+
+    bool reaches(double cx, double cy, double ax, double ay, double bx, double by) const {
+        return !podrace::isFar(cx, cy, ax, ay, bx, by)
+            && podrace::squareOfDistance(cx, cy, ax, ay, bx, by) <= squareOfPath;
     }
 
     /* Some turns of a brawl whose last bits are known, and operations that careless compilers change. */
@@ -1049,6 +1133,7 @@ private:
 #undef STEWARD_AVX2
 #undef STEWARD_SSE2
 #undef STEWARD_ONE_CALL
+#undef STEWARD_INLINE
 #if defined(__clang__) || defined(_MSC_VER)
 #pragma float_control(pop)
 #elif defined(__GNUC__)

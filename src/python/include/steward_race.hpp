@@ -306,23 +306,15 @@ inline double racerThrust(double dx, double dy, double distance, double cosine, 
 inline void racer(const Race& race, int player, Commands& commands) {
     const State& state = race.state;
     double cosines[4], sines[4];
-    for (int pod = 0; pod < 4; pod += podrace::LANES) {
-        if (podrace::LANES == 4 || pod / 2 == player) {
-            podrace::V c, s, heading = podrace::load(state.heading + pod);
-            podrace::turn(heading, podrace::equal(heading, heading), c, s);
-            podrace::store(cosines + pod, c);
-            podrace::store(sines + pod, s);
-        }
-    }
+    podrace::directionsOf(state.heading, cosines, sines);
     for (int pod = 2 * player; pod < 2 * player + 2; pod++) {
         double x = race.map().checkpointX(state.next[pod]), y = race.map().checkpointY(state.next[pod]);
         double dx = x - state.x[pod], dy = y - state.y[pod], distance = std::sqrt(dx * dx + dy * dy);
         bool set = state.heading[pod] == state.heading[pod];
         double thrust = racerThrust(dx, dy, distance, set ? cosines[pod] : 0, set ? sines[pod] : 0);
         if (set && std::fabs(thrust - nearestWhole(thrust)) < 1e-6) {
-            double c, s;
-            strictTurn(toldDegrees(state.heading[pod]) * 0.017453292519943295, c, s);
-            thrust = racerThrust(dx, dy, distance, c, s);
+            strictTurn(toldDegrees(state.heading[pod]) * 0.017453292519943295, cosines[pod], sines[pod]);
+            thrust = racerThrust(dx, dy, distance, cosines[pod], sines[pod]);
         }
         commands.target(pod, nearestWhole(x), nearestWhole(y), static_cast<int>(thrust));
     }

@@ -36,12 +36,7 @@ public:
     void ahead(const Race& race, Ahead& out) const {
         const State& state = race.state;
         if (full) {
-            for (int pod = 0; pod < 4; pod += podrace::LANES) {
-                podrace::V c, s, heading = podrace::load(state.heading + pod);
-                podrace::turn(heading, podrace::equal(heading, heading), c, s);
-                podrace::store(out.x + pod, c);
-                podrace::store(out.y + pod, s);
-            }
+            podrace::directionsOf(state.heading, out.x, out.y);
         }
         int degrees[4];
         if (!full) {

@@ -133,6 +133,30 @@ class CppHeaderTest {
         header.assertNothingDiffers();
     }
 
+    /** Pods that leave the circle of a checkpoint, from where the last bit of a root decides, or rest there. */
+    @Test
+    void everyBitAtACheckpointIsThatOfTheEngine() throws IOException, InterruptedException {
+        for (RulesEdition rules : RulesEdition.values()) {
+            header.map(EDGE_MAP, rules);
+            for (long turn = 0; turn < wanted; turn++) {
+                PodRace race = (rules == RulesEdition.LIVE ? Recordings.official() : Recordings.contest())
+                    .create(EDGE_MAP);
+                for (int pod = 0; pod < PODS; pod++) {
+                    double angle = choice.nextDouble() * 2 * Math.PI;
+                    double cos = StrictMath.cos(angle);
+                    double sin = StrictMath.sin(angle);
+                    int speed = 100 * choice.nextInt(3);
+                    double[] next = EDGE_MAP[1 + pod];
+                    race.setPod(pod, new PodState(next[0] + 600 * cos, next[1] + 600 * sin, speed * cos, speed * sin,
+                        angle, 0, true, pod));
+                }
+                header.state(pods(race), LEFT, LEFT);
+                play(race, new PodCommands(PODS), EDGE_MAP.length);
+            }
+        }
+        header.assertNothingDiffers();
+    }
+
     /** Commands by an angle, some pods by target, as the simulator plays them. */
     @Test
     void everyTurnByAnAngleIsThatOfTheSimulator() throws IOException, InterruptedException {

@@ -9,12 +9,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.DoubleSupplier;
 import java.util.function.LongSupplier;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import steward.game.podrace.protocol.PodRaceType;
 import steward.match.TestScenes;
 import steward.numerics.SplitMix64;
@@ -22,7 +25,8 @@ import steward.numerics.SplitMix64;
 /**
  * Time of a turn of {@code steward_podrace.hpp} beside the textbook, the engine of matches and the simulator, in
  * {@link SpeedGames}: {@code gradle headerSpeed -Prounds=20}. All take turns within each round, so that other work on
- * the machine meets them all; the least and the median time per turn are printed. The last rows are playouts by angles.
+ * the machine meets them all. The least and the median time of a turn are printed, and the median share in the
+ * simulator's time. Rows by degrees are playouts by angles.
  */
 public final class HeaderSpeed {
 
@@ -69,11 +73,21 @@ public final class HeaderSpeed {
             measureJava("race, ", race);
             measureJava("brawl, ", brawl);
         }
-        System.out.printf("%-48s %8s %8s%n", "ns a turn", "least", "median");
-        times.forEach((name, found) -> {
-            double[] sorted = found.stream().mapToDouble(Double::doubleValue).sorted().toArray();
-            System.out.printf(Locale.ROOT, "%-48s %8.1f %8.1f%n", name, sorted[0], sorted[sorted.length / 2]);
-        });
+        System.out.printf("%-48s %8s %8s %13s%n", "ns a turn", "least", "median", "of simulator");
+        times.forEach((name, found) -> System.out.printf(Locale.ROOT, "%-48s %8.1f %8.1f %13s%n", name,
+            Collections.min(found), median(found.stream().mapToDouble(Double::doubleValue)), share(name, found)));
+    }
+
+    private static double median(DoubleStream of) {
+        double[] sorted = of.sorted().toArray();
+        return sorted[sorted.length / 2];
+    }
+
+    /** The median of the rounds' shares in the simulator's time, if it plays these games. */
+    private String share(String name, List<Double> found) {
+        List<Double> simulator = times.get(name.substring(0, name.indexOf(',')) + ", simulator");
+        return simulator == null ? "" : String.format(Locale.ROOT, "%.2f", median(IntStream.range(0, found.size())
+            .mapToDouble(round -> found.get(round) / simulator.get(round))));
     }
 
     private void measureJava(String crowd, SpeedGames games) {
