@@ -1,6 +1,6 @@
 // A course of checkpoints: the lane through them, gates with their numbers, and who is due at each.
 
-import { circle, FONT, TAU, write } from './draw.js';
+import { circle, fillWith, FONT, ramp, strokeWith, TAU, write } from './draw.js';
 import { paintFrame } from './ground.js';
 import { withAlpha } from './theme.js';
 
@@ -15,9 +15,7 @@ export function paintCourse(scene) {
   if (zones.length > 1) {
     for (const [width, strength] of LANES) {
       traceLane(scene, zones);
-      ctx.strokeStyle = withAlpha(paint.lane, strength);
-      ctx.lineWidth = width * zones[0].radius * view.scale;
-      ctx.stroke();
+      strokeWith(ctx, withAlpha(paint.lane, strength), width * zones[0].radius * view.scale);
     }
     traceLane(scene, zones);
     ctx.strokeStyle = withAlpha(paint.lane, 0.4);
@@ -72,14 +70,10 @@ function paintArrow({ ctx, view, paint }, zones, k) {
 function paintGate({ ctx, view, paint }, zone, number) {
   const [x, y, radius] = [view.x(zone.x), view.y(zone.y), zone.radius * view.scale];
   circle(ctx, x, y, radius);
-  const disc = ctx.createRadialGradient(x, y, radius * 0.2, x, y, Math.max(1, radius));
-  disc.addColorStop(0, withAlpha(paint.abyss, 0.55));
-  disc.addColorStop(1, withAlpha(paint.abyss, 0.2));
-  ctx.fillStyle = disc;
-  ctx.fill();
-  ctx.strokeStyle = paint.rim;
-  ctx.lineWidth = 1.75;
-  ctx.stroke();
+  const disc = ramp(ctx.createRadialGradient(x, y, radius * 0.2, x, y, Math.max(1, radius)),
+    [0, withAlpha(paint.abyss, 0.55)], [1, withAlpha(paint.abyss, 0.2)]);
+  fillWith(ctx, disc);
+  strokeWith(ctx, paint.rim, 1.75);
   if (number === 0) {
     ctx.lineWidth = Math.max(3, radius * 0.12);
     ctx.setLineDash([TAU * radius / 44, TAU * radius / 44]);

@@ -44,6 +44,33 @@ export function lineTo(ctx, view, x, y) {
   ctx.lineTo(view.x(x), view.y(y));
 }
 
+/** Fills the form that was drawn last. */
+export function fillWith(ctx, colour) {
+  ctx.fillStyle = colour;
+  ctx.fill();
+}
+
+/** Draws the line of the form that was drawn last. */
+export function strokeWith(ctx, colour, width) {
+  ctx.strokeStyle = colour;
+  ctx.lineWidth = width;
+  ctx.stroke();
+}
+
+/** Draws a straight line. */
+export function strokeLine(ctx, fromX, fromY, toX, toY) {
+  ctx.beginPath();
+  ctx.moveTo(fromX, fromY);
+  ctx.lineTo(toX, toY);
+  ctx.stroke();
+}
+
+/** A gradient with its colours, each behind its share of the way. */
+export function ramp(gradient, ...colours) {
+  colours.forEach(([share, colour]) => gradient.addColorStop(share, colour));
+  return gradient;
+}
+
 /** A closed form through corners [x, y], enlarged. */
 export function polygon(ctx, corners, size) {
   ctx.beginPath();
@@ -67,10 +94,7 @@ export function targetLine({ ctx, view, theme }, body, x, y, hasEnd = true) {
   ctx.globalAlpha = 0.75;
   ctx.lineWidth = 1.5;
   ctx.setLineDash([4, 4]);
-  ctx.beginPath();
-  moveTo(ctx, view, body.x, body.y);
-  lineTo(ctx, view, x, y);
-  ctx.stroke();
+  strokeLine(ctx, view.x(body.x), view.y(body.y), view.x(x), view.y(y));
   ctx.setLineDash([]);
   if (hasEnd) {
     circle(ctx, view.x(x), view.y(y), 4.5);

@@ -1,8 +1,9 @@
 // The look of Fantastic Bits: the pitch with its goals, wizards, snaffles, bludgers, and spells as lines to targets.
 
-import { captionSize, circle, directionLine, lineTo, moveTo, polygon, regular, sprites, write } from './draw.js';
+import { captionSize, circle, directionLine, fillWith, polygon, ramp, regular, sprites, strokeLine, strokeWith,
+  write } from './draw.js';
 import { paintGlow, putDisc } from './hulls.js';
-import { addLook, PLAIN_LOOK, ranksOf, scoresOf, writeOut } from './looks.js';
+import { addLook, PLAIN_LOOK, ranksOf } from './looks.js';
 import { plainNumber } from './text.js';
 import { withAlpha } from './theme.js';
 
@@ -42,12 +43,6 @@ addLook('fantastic-bits', {
     else if (body.kind === 'bludger') drawBludger(scene, body);
     else drawSnaffle(scene, body);
   },
-
-  drawAbove(scene) {
-    if (scene.show.names) scene.bodies.forEach(body => writeOut(scene, body));
-  },
-
-  progress: scoresOf,
 
   standing(match, number) {
     const { scores, magic } = match.turn(number).state;
@@ -95,10 +90,7 @@ function paintPitch({ ctx, view, paint }) {
   }
   ctx.strokeStyle = withAlpha(paint.rim, 0.55);
   ctx.lineWidth = 1.5;
-  ctx.beginPath();
-  moveTo(ctx, view, PITCH.width / 2, 0);
-  lineTo(ctx, view, PITCH.width / 2, PITCH.height);
-  ctx.stroke();
+  strokeLine(ctx, view.x(PITCH.width / 2), view.y(0), view.x(PITCH.width / 2), view.y(PITCH.height));
   circle(ctx, view.x(PITCH.width / 2), view.y(PITCH.height / 2), 1300 * view.scale);
   ctx.stroke();
 }
@@ -108,9 +100,8 @@ function paintGoal({ ctx, view, paint, theme }, x, player, outward) {
   const colour = theme.team(player);
   const [line, back] = [view.x(x), view.x(x + outward * GOAL_DEPTH)];
   const [top, bottom] = [view.y(GOAL_TOP), view.y(GOAL_BOTTOM)];
-  const light = ctx.createLinearGradient(line, 0, view.x(x - outward * 1800), 0);
-  light.addColorStop(0, withAlpha(colour, 0.3));
-  light.addColorStop(1, withAlpha(colour, 0));
+  const light = ramp(ctx.createLinearGradient(line, 0, view.x(x - outward * 1800), 0),
+    [0, withAlpha(colour, 0.3)], [1, withAlpha(colour, 0)]);
   ctx.fillStyle = light;
   ctx.fillRect(Math.min(line, view.x(x - outward * 1800)), top, 1800 * view.scale, bottom - top);
   ctx.fillStyle = withAlpha(colour, 0.18);
@@ -125,14 +116,10 @@ function paintGoal({ ctx, view, paint, theme }, x, player, outward) {
   ctx.stroke();
   ctx.strokeStyle = colour;
   ctx.lineWidth = 2.5;
-  ctx.beginPath();
-  ctx.moveTo(line, top);
-  ctx.lineTo(line, bottom);
-  ctx.stroke();
+  strokeLine(ctx, line, top, line, bottom);
   for (const y of [top, bottom]) {
     circle(ctx, line, y, Math.max(4, 300 * view.scale));
-    ctx.fillStyle = paint.abyss;
-    ctx.fill();
+    fillWith(ctx, paint.abyss);
     ctx.lineWidth = 2.5;
     ctx.stroke();
   }
@@ -162,9 +149,7 @@ function drawWizard(scene, body) {
   const [x, y, radius] = [view.x(body.x), view.y(body.y), body.radius * view.scale];
   if (body.now.snaffle >= 0) {
     circle(ctx, x, y, radius + Math.max(3, radius * 0.22));
-    ctx.strokeStyle = theme.team(body.owner);
-    ctx.lineWidth = 2;
-    ctx.stroke();
+    strokeWith(ctx, theme.team(body.owner), 2);
   }
   write({ ctx, paint }, body.label, x, y, Math.max(10, radius * 0.7), paint.ink, '800');
 }
@@ -175,15 +160,10 @@ function drawSnaffle(scene, body) {
   sprites.put(scene, 'snaffle', view.x(body.x), view.y(body.y), Math.max(3.5, body.radius * view.scale), 0, 2.2, (ctx, r) => {
     paintGlow(ctx, r * 2.1, paint.core, 0.45);
     circle(ctx, 0, 0, r);
-    const ball = ctx.createRadialGradient(-r * 0.35, -r * 0.4, 0, 0, 0, r);
-    ball.addColorStop(0, 'white');
-    ball.addColorStop(0.5, paint.core);
-    ball.addColorStop(1, withAlpha(paint.core, 0.75));
-    ctx.fillStyle = ball;
-    ctx.fill();
-    ctx.strokeStyle = paint.ink;
-    ctx.lineWidth = 1;
-    ctx.stroke();
+    const ball = ramp(ctx.createRadialGradient(-r * 0.35, -r * 0.4, 0, 0, 0, r),
+      [0, 'white'], [0.5, paint.core], [1, withAlpha(paint.core, 0.75)]);
+    fillWith(ctx, ball);
+    strokeWith(ctx, paint.ink, 1);
   });
 }
 
@@ -197,19 +177,13 @@ function drawBludger(scene, body) {
       polygon(ctx, [[0.8, -0.2], [1.35, 0], [0.8, 0.2]], r);
       ctx.fill();
     }
-    const iron = ctx.createRadialGradient(-r * 0.35, -r * 0.4, 0, 0, 0, r);
-    iron.addColorStop(0, paint.ink);
-    iron.addColorStop(0.35, paint.muted);
-    iron.addColorStop(1, paint.hull);
+    const iron = ramp(ctx.createRadialGradient(-r * 0.35, -r * 0.4, 0, 0, 0, r),
+      [0, paint.ink], [0.35, paint.muted], [1, paint.hull]);
     circle(ctx, 0, 0, r);
-    ctx.fillStyle = iron;
-    ctx.fill();
-    ctx.strokeStyle = paint.bad;
-    ctx.lineWidth = Math.max(1.5, r * 0.16);
-    ctx.stroke();
+    fillWith(ctx, iron);
+    strokeWith(ctx, paint.bad, Math.max(1.5, r * 0.16));
     regular(ctx, 0, 0, r * 0.4, 3);
-    ctx.fillStyle = paint.bad;
-    ctx.fill();
+    fillWith(ctx, paint.bad);
   });
 }
 
@@ -224,10 +198,7 @@ function drawSpells(scene, wizard) {
       ctx.globalAlpha = alpha;
       ctx.lineWidth = width;
       ctx.setLineDash(width === 2 ? SPELL_DASHES[spell] ?? [] : []);
-      ctx.beginPath();
-      moveTo(ctx, view, wizard.x, wizard.y);
-      lineTo(ctx, view, at.x, at.y);
-      ctx.stroke();
+      strokeLine(ctx, view.x(wizard.x), view.y(wizard.y), view.x(at.x), view.y(at.y));
     }
     ctx.setLineDash([]);
     circle(ctx, view.x(at.x), view.y(at.y), at.radius * view.scale + 5);

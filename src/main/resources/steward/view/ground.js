@@ -1,6 +1,6 @@
 // The ground: sky, stars, field, zones and walls. It is drawn once for each camera, then only copied.
 
-import { circle, hash01, lineTo, moveTo, TAU, write } from './draw.js';
+import { circle, fillWith, hash01, lineTo, moveTo, ramp, strokeWith, TAU, write } from './draw.js';
 import { niceStep } from './ticks.js';
 import { withAlpha } from './theme.js';
 
@@ -38,10 +38,9 @@ export class Ground {
 
 function paintSky({ ctx, view, paint, theme }) {
   const { width, height } = view;
-  const sky = ctx.createRadialGradient(width / 2, height / 2, 0, width / 2, height / 2, 0.62 * Math.hypot(width, height));
-  sky.addColorStop(0, paint.sky);
-  sky.addColorStop(0.6, paint.field);
-  sky.addColorStop(1, paint.abyss);
+  const [x, y, far] = [width / 2, height / 2, 0.62 * Math.hypot(width, height)];
+  const sky = ramp(ctx.createRadialGradient(x, y, 0, x, y, far),
+    [0, paint.sky], [0.6, paint.field], [1, paint.abyss]);
   ctx.fillStyle = sky;
   ctx.fillRect(0, 0, width, height);
   if (!theme.isDark) return;
@@ -68,9 +67,7 @@ export function paintFrame({ ctx, view, paint, field }, hasGrid = false) {
       moveTo(ctx, view, field.left, y);
       lineTo(ctx, view, field.right, y);
     }
-    ctx.strokeStyle = paint.faint;
-    ctx.lineWidth = 1;
-    ctx.stroke();
+    strokeWith(ctx, paint.faint, 1);
   }
   ctx.strokeStyle = paint.line;
   ctx.lineWidth = 1;
@@ -87,14 +84,10 @@ export function paintPlain(scene) {
 export function paintZone({ ctx, view, paint }, zone) {
   const [x, y, radius] = [view.x(zone.x), view.y(zone.y), zone.radius * view.scale];
   circle(ctx, x, y, radius);
-  const disc = ctx.createRadialGradient(x, y, 0, x, y, Math.max(1, radius));
-  disc.addColorStop(0, withAlpha(paint.abyss, 0.5));
-  disc.addColorStop(1, paint.zone);
-  ctx.fillStyle = disc;
-  ctx.fill();
-  ctx.strokeStyle = paint.rim;
-  ctx.lineWidth = 1.75;
-  ctx.stroke();
+  const disc = ramp(ctx.createRadialGradient(x, y, 0, x, y, Math.max(1, radius)),
+    [0, withAlpha(paint.abyss, 0.5)], [1, paint.zone]);
+  fillWith(ctx, disc);
+  strokeWith(ctx, paint.rim, 1.75);
   if (zone.label) write({ ctx, paint }, zone.label, x, y, Math.max(11, radius * 0.66), paint.muted, '700');
 }
 
@@ -115,17 +108,12 @@ function paintWalls({ ctx, view, paint, match, field }) {
 /** Something in the way that never moves. */
 function paintFixed({ ctx, view, paint }, body) {
   const [x, y, radius] = [view.x(body.x), view.y(body.y), body.radius * view.scale];
-  const dome = ctx.createRadialGradient(x - radius * 0.3, y - radius * 0.35, 0, x, y, Math.max(1, radius));
-  dome.addColorStop(0, withAlpha(paint.wall, 0.75));
-  dome.addColorStop(1, withAlpha(paint.wall, 0.2));
+  const dome = ramp(ctx.createRadialGradient(x - radius * 0.3, y - radius * 0.35, 0, x, y, Math.max(1, radius)),
+    [0, withAlpha(paint.wall, 0.75)], [1, withAlpha(paint.wall, 0.2)]);
   circle(ctx, x, y, radius);
-  ctx.fillStyle = paint.abyss;
-  ctx.fill();
-  ctx.fillStyle = dome;
-  ctx.fill();
-  ctx.strokeStyle = paint.wall;
-  ctx.lineWidth = 3;
-  ctx.stroke();
+  fillWith(ctx, paint.abyss);
+  fillWith(ctx, dome);
+  strokeWith(ctx, paint.wall, 3);
   ctx.lineWidth = 1.5;
   circle(ctx, x, y, radius * 0.62);
   ctx.stroke();

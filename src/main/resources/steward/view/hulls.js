@@ -1,6 +1,6 @@
 // Hulls: the outline tells the team, also without colours. Eight outlines; later teams have a stripe.
 
-import { circle, polygon, regular, sprites } from './draw.js';
+import { circle, fillWith, polygon, ramp, regular, sprites, strokeWith } from './draw.js';
 import { withAlpha } from './theme.js';
 
 // Unit outlines of ships, nose to the right.
@@ -38,34 +38,25 @@ export function putShip(scene, body, angle, isIn, size = 1) {
     (ctx, r) => {
       if (isIn) paintGlow(ctx, r * 1.9, colour, theme.isDark ? 0.34 : 0.16);
       circle(ctx, 0, 0, r);
-      ctx.fillStyle = theme.isDark ? withAlpha(paint.abyss, 0.82) : withAlpha(paint.field, 0.7);
-      ctx.fill();
+      fillWith(ctx, theme.isDark ? withAlpha(paint.abyss, 0.82) : withAlpha(paint.field, 0.7));
       if (size === 1) {
-        ctx.strokeStyle = colour;
-        ctx.lineWidth = Math.max(1, r * 0.055);
-        ctx.stroke();
+        strokeWith(ctx, colour, Math.max(1, r * 0.055));
       }
       paintHull(ctx, r, body.owner, colour, paint, theme.isDark);
     });
 }
 
 function paintHull(ctx, r, team, colour, paint, isDark) {
-  const metal = ctx.createLinearGradient(-r, -0.5 * r, r, 0.5 * r);
-  metal.addColorStop(0, withAlpha(colour, 0.95));
-  metal.addColorStop(0.55, colour);
-  metal.addColorStop(1, isDark ? 'white' : withAlpha(colour, 0.9));
+  const metal = ramp(ctx.createLinearGradient(-r, -0.5 * r, r, 0.5 * r),
+    [0, withAlpha(colour, 0.95)], [0.55, colour], [1, isDark ? 'white' : withAlpha(colour, 0.9)]);
   polygon(ctx, SHIPS[team % SHIPS.length], r * 0.97);
-  ctx.fillStyle = metal;
-  ctx.fill();
+  fillWith(ctx, metal);
   ctx.lineJoin = 'round';
-  ctx.lineWidth = Math.max(0.75, r * 0.05);
-  ctx.strokeStyle = isDark ? withAlpha('white', 0.8) : withAlpha(paint.ink, 0.75);
-  ctx.stroke();
+  strokeWith(ctx, isDark ? withAlpha('white', 0.8) : withAlpha(paint.ink, 0.75), Math.max(0.75, r * 0.05));
   ctx.save();
   ctx.clip();
-  const shade = ctx.createLinearGradient(0, -r, 0, r);
-  shade.addColorStop(0.5, withAlpha(paint.hull, 0));
-  shade.addColorStop(1, withAlpha(paint.hull, 0.75));
+  const shade = ramp(ctx.createLinearGradient(0, -r, 0, r),
+    [0.5, withAlpha(paint.hull, 0)], [1, withAlpha(paint.hull, 0.75)]);
   ctx.fillStyle = shade;
   ctx.fillRect(-r, -r, 2 * r, 2 * r);
   if (team >= SHIPS.length) {
@@ -75,19 +66,14 @@ function paintHull(ctx, r, team, colour, paint, isDark) {
   ctx.restore();
   ctx.beginPath();
   ctx.ellipse(0.12 * r, 0, 0.26 * r, 0.12 * r, 0, 0, 2 * Math.PI);
-  ctx.fillStyle = paint.hull;
-  ctx.fill();
-  ctx.strokeStyle = withAlpha('white', 0.5);
-  ctx.lineWidth = Math.max(0.5, r * 0.03);
-  ctx.stroke();
+  fillWith(ctx, paint.hull);
+  strokeWith(ctx, withAlpha('white', 0.5), Math.max(0.5, r * 0.03));
 }
 
 /** A soft round light. */
 export function paintGlow(ctx, radius, colour, strength) {
-  const glow = ctx.createRadialGradient(0, 0, 0, 0, 0, radius);
-  glow.addColorStop(0, withAlpha(colour, strength));
-  glow.addColorStop(0.45, withAlpha(colour, strength * 0.55));
-  glow.addColorStop(1, withAlpha(colour, 0));
+  const glow = ramp(ctx.createRadialGradient(0, 0, 0, 0, 0, radius),
+    [0, withAlpha(colour, strength)], [0.45, withAlpha(colour, strength * 0.55)], [1, withAlpha(colour, 0)]);
   ctx.fillStyle = glow;
   circle(ctx, 0, 0, radius);
   ctx.fill();
@@ -102,13 +88,9 @@ export function putDisc(scene, body, isIn = true, name = 'disc') {
   sprites.put(scene, `${name} ${body.owner} ${colour}`, view.x(body.x), view.y(body.y), radius, 0, 1.6, (ctx, r) => {
     if (hasOwner && r > 5) paintGlow(ctx, r * 1.55, colour, theme.isDark ? 0.4 : 0.2);
     circle(ctx, 0, 0, r);
-    ctx.fillStyle = theme.isDark ? paint.abyss : paint.field;
-    ctx.fill();
-    ctx.fillStyle = withAlpha(colour, 0.22);
-    ctx.fill();
-    ctx.strokeStyle = colour;
-    ctx.lineWidth = Math.max(1, r * 0.07);
-    ctx.stroke();
+    fillWith(ctx, theme.isDark ? paint.abyss : paint.field);
+    fillWith(ctx, withAlpha(colour, 0.22));
+    strokeWith(ctx, colour, Math.max(1, r * 0.07));
     paintBadge(ctx, r * 0.72, hasOwner ? body.owner : 0, colour, paint, theme.isDark);
   });
 }
@@ -118,27 +100,19 @@ export function putBall(scene, body, colour) {
   const { view, paint } = scene;
   sprites.put(scene, colour, view.x(body.x), view.y(body.y), Math.max(2, body.radius * view.scale), 0, 1.1, (ctx, r) => {
     circle(ctx, 0, 0, r);
-    ctx.fillStyle = colour;
-    ctx.fill();
-    const light = ctx.createRadialGradient(-0.35 * r, -0.4 * r, 0, -0.35 * r, -0.4 * r, r);
-    light.addColorStop(0, withAlpha('white', 0.55));
-    light.addColorStop(0.6, withAlpha('white', 0));
-    ctx.fillStyle = light;
-    ctx.fill();
-    ctx.strokeStyle = withAlpha(paint.ink, 0.4);
-    ctx.lineWidth = Math.max(0.75, r * 0.07);
-    ctx.stroke();
+    fillWith(ctx, colour);
+    const light = ramp(ctx.createRadialGradient(-0.35 * r, -0.4 * r, 0, -0.35 * r, -0.4 * r, r),
+      [0, withAlpha('white', 0.55)], [0.6, withAlpha('white', 0)]);
+    fillWith(ctx, light);
+    strokeWith(ctx, withAlpha(paint.ink, 0.4), Math.max(0.75, r * 0.07));
   });
 }
 
 export function paintBadge(ctx, r, team, colour, paint, isDark) {
-  const light = ctx.createLinearGradient(0, -r, 0, r);
-  light.addColorStop(0, isDark ? withAlpha('white', 0.9) : withAlpha(colour, 0.75));
-  light.addColorStop(0.3, colour);
-  light.addColorStop(1, withAlpha(colour, 0.75));
+  const light = ramp(ctx.createLinearGradient(0, -r, 0, r),
+    [0, isDark ? withAlpha('white', 0.9) : withAlpha(colour, 0.75)], [0.3, colour], [1, withAlpha(colour, 0.75)]);
   traceBadge(ctx, 0, 0, r, team);
-  ctx.fillStyle = light;
-  ctx.fill();
+  fillWith(ctx, light);
   if (team >= SIDES.length) {
     ctx.strokeStyle = paint.hull;
     ctx.lineWidth = Math.max(1, r * 0.12);

@@ -26,7 +26,7 @@ export function lookOf(game) {
 }
 
 /** What a turn says of scores: one for each player, or null. */
-export function scoresOf(match, number) {
+function scoresOf(match, number) {
   const turn = match.turn(number);
   const scores = turn?.scores ?? turn?.state?.scores ?? null;
   return Array.isArray(scores) && scores.length === match.players.length ? scores : null;
@@ -104,7 +104,7 @@ function bodyOf(match, number, player) {
 }
 
 /** The word OUT below a body whose player is asked no more. */
-export function writeOut(scene, body) {
+function writeOut(scene, body) {
   const { match, moment, view, theme } = scene;
   if (body.owner === null || body.owner === undefined || match.isIn(body.owner, moment.turn)) return;
   write(scene, 'OUT', view.x(body.x), view.y(body.y) + body.radius * view.scale + 9, captionSize(view),

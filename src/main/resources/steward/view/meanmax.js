@@ -1,9 +1,9 @@
 // The look of Mean Max: the arena with its water; looters whose outline tells the team and
 // whose sign tells the kind; tankers with their water.
 
-import { circle, directionLine, polygon, sprites, write } from './draw.js';
+import { circle, directionLine, fillWith, polygon, ramp, sprites, strokeWith, write } from './draw.js';
 import { paintGlow, traceBadge } from './hulls.js';
-import { addLook, ranksOf, scoresOf, writeOut } from './looks.js';
+import { addLook, ranksOf } from './looks.js';
 import { castsOf, drawCast, drawEffect, LOOTERS_EACH, SKILL_OF } from './meanmaxskills.js';
 import { plainNumber } from './text.js';
 import { withAlpha } from './theme.js';
@@ -46,12 +46,6 @@ addLook('mean-max', {
     else drawLooter(scene, body);
   },
 
-  drawAbove(scene) {
-    if (scene.show.names) scene.bodies.forEach(body => writeOut(scene, body));
-  },
-
-  progress: scoresOf,
-
   standing(match, number) {
     const { scores, rages } = match.turn(number).state;
     const ranks = ranksOf(scores);
@@ -82,13 +76,11 @@ function looterWords(order, k) {
 function paintPlace({ ctx, view, paint, theme }, zone) {
   const [x, y, radius] = [view.x(zone.x), view.y(zone.y), zone.radius * view.scale];
   const isWater = zone.label === 'water';
-  const sand = ctx.createRadialGradient(x, y, 0, x, y, Math.max(1, radius));
   const tint = isWater ? paint.water : paint.lane;
-  sand.addColorStop(0, withAlpha(tint, isWater ? 0.26 : 0.16));
-  sand.addColorStop(1, withAlpha(tint, isWater ? 0.08 : theme.isDark ? 0.03 : 0.06));
+  const sand = ramp(ctx.createRadialGradient(x, y, 0, x, y, Math.max(1, radius)),
+    [0, withAlpha(tint, isWater ? 0.26 : 0.16)], [1, withAlpha(tint, isWater ? 0.08 : theme.isDark ? 0.03 : 0.06)]);
   circle(ctx, x, y, radius);
-  ctx.fillStyle = sand;
-  ctx.fill();
+  fillWith(ctx, sand);
   ctx.strokeStyle = isWater ? withAlpha(paint.water, 0.6) : paint.wall;
   ctx.lineWidth = isWater ? 1.25 : 3;
   ctx.setLineDash(isWater ? [4, 7] : []);
@@ -101,13 +93,10 @@ function drawWreck(scene, wreck) {
   const { ctx, view, paint } = scene;
   const [x, y, radius] = [view.x(wreck.x), view.y(wreck.y), wreck.radius * view.scale];
   sprites.put(scene, 'wreck', x, y, radius, 0, 1.1, (to, r) => {
-    const pool = to.createRadialGradient(0, 0, 0, 0, 0, r);
-    pool.addColorStop(0, withAlpha(paint.water, 0.75));
-    pool.addColorStop(0.7, withAlpha(paint.water, 0.38));
-    pool.addColorStop(1, withAlpha(paint.water, 0.12));
+    const pool = ramp(to.createRadialGradient(0, 0, 0, 0, 0, r),
+      [0, withAlpha(paint.water, 0.75)], [0.7, withAlpha(paint.water, 0.38)], [1, withAlpha(paint.water, 0.12)]);
     circle(to, 0, 0, r);
-    to.fillStyle = pool;
-    to.fill();
+    fillWith(to, pool);
     to.strokeStyle = withAlpha(paint.water, 0.9);
     for (const [share, width] of [[1, 1.75], [0.76, 0.9], [0.52, 0.7]]) {
       circle(to, 0, 0, r * share);
@@ -138,24 +127,15 @@ function drawLooter(scene, body) {
     (ctx, r) => {
       paintGlow(ctx, r * 1.65, colour, theme.isDark ? 0.4 : 0.2);
       circle(ctx, 0, 0, r);
-      ctx.fillStyle = theme.isDark ? paint.abyss : paint.field;
-      ctx.fill();
-      ctx.strokeStyle = colour;
-      ctx.lineWidth = isHeavy ? Math.max(3, r * 0.24) : Math.max(1, r * 0.07);
-      ctx.stroke();
+      fillWith(ctx, theme.isDark ? paint.abyss : paint.field);
+      strokeWith(ctx, colour, isHeavy ? Math.max(3, r * 0.24) : Math.max(1, r * 0.07));
       traceBadge(ctx, 0, r * ((body.owner ?? 0) % 8 === 2 ? 0.1 : 0), r * 0.8, body.owner);
-      const metal = ctx.createLinearGradient(0, -r, 0, r);
-      metal.addColorStop(0, colour);
-      metal.addColorStop(1, withAlpha(colour, 0.6));
-      ctx.fillStyle = metal;
-      ctx.fill();
+      const metal = ramp(ctx.createLinearGradient(0, -r, 0, r), [0, colour], [1, withAlpha(colour, 0.6)]);
+      fillWith(ctx, metal);
       polygon(ctx, SIGNS[body.kind] ?? SIGNS.reaper, r * 0.72);
       ctx.lineJoin = 'round';
-      ctx.lineWidth = Math.max(1, r * 0.14);
-      ctx.strokeStyle = paint.hull;
-      ctx.stroke();
-      ctx.fillStyle = 'white';
-      ctx.fill();
+      strokeWith(ctx, paint.hull, Math.max(1, r * 0.14));
+      fillWith(ctx, 'white');
     });
 }
 
@@ -168,8 +148,7 @@ function drawTanker(scene, body) {
   const level = Math.min(1, water / size);
   sprites.put(scene, `tanker ${Math.round(level * 20)} ${mass >= 10}`, x, y, radius, 0, 1.1, (to, r) => {
     circle(to, 0, 0, r);
-    to.fillStyle = paint.abyss;
-    to.fill();
+    fillWith(to, paint.abyss);
     to.save();
     to.clip();
     to.fillStyle = withAlpha(paint.wall, 0.24);
@@ -178,9 +157,7 @@ function drawTanker(scene, body) {
     to.fillRect(-r, r * (1 - 2 * level), 2 * r, 2 * r);
     to.restore();
     circle(to, 0, 0, r * 0.94);
-    to.strokeStyle = paint.wall;
-    to.lineWidth = mass >= 10 ? 5 : Math.max(1.5, r * 0.1);
-    to.stroke();
+    strokeWith(to, paint.wall, mass >= 10 ? 5 : Math.max(1.5, r * 0.1));
   });
   if (radius >= TEXT_PIXELS) {
     write({ ctx, paint }, `${water}/${size}`, x, y, Math.max(9, Math.min(14, radius * 0.5)), paint.ink, '700');

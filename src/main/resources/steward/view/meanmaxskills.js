@@ -1,6 +1,6 @@
 // Skills of Mean Max, told apart by pattern and name: tar, oil, grenade.
 
-import { captionSize, circle, hash01, lineTo, moveTo, sprites, TAU, write } from './draw.js';
+import { captionSize, circle, fillWith, hash01, sprites, strokeLine, TAU, write } from './draw.js';
 import { paintGlow } from './hulls.js';
 import { withAlpha } from './theme.js';
 
@@ -32,10 +32,7 @@ export function drawCast(scene, cast) {
   ctx.globalAlpha = 1 - moment.fraction;
   ctx.lineWidth = 3;
   ctx.setLineDash([2, 7]);
-  ctx.beginPath();
-  moveTo(ctx, view, cast.from.x, cast.from.y);
-  lineTo(ctx, view, cast.x, cast.y);
-  ctx.stroke();
+  strokeLine(ctx, view.x(cast.from.x), view.y(cast.from.y), view.x(cast.x), view.y(cast.y));
   ctx.setLineDash([]);
   ctx.globalAlpha = 1;
 }
@@ -55,8 +52,7 @@ function paintSkill(ctx, r, skill, paint) {
   ctx.save();
   ctx.clip();
   if (skill === 'tar') {
-    ctx.fillStyle = withAlpha(paint.hull, 0.55);
-    ctx.fill();
+    fillWith(ctx, withAlpha(paint.hull, 0.55));
     ctx.fillStyle = withAlpha(paint.muted, 0.5);
     for (let k = 0; k < 40; k++) {
       const [angle, far] = [TAU * hash01(k, 11), r * Math.sqrt(hash01(k, 12))];
@@ -67,10 +63,7 @@ function paintSkill(ctx, r, skill, paint) {
     ctx.strokeStyle = withAlpha(paint.shield, 0.4);
     ctx.lineWidth = r * 0.07;
     for (let k = -2; k <= 2; k += 0.25) {
-      ctx.beginPath();
-      ctx.moveTo((k - 1) * r, -r);
-      ctx.lineTo((k + 1) * r, r);
-      ctx.stroke();
+      strokeLine(ctx, (k - 1) * r, -r, (k + 1) * r, r);
     }
   } else {
     paintGlow(ctx, r, paint.flash, 0.75);
@@ -78,10 +71,8 @@ function paintSkill(ctx, r, skill, paint) {
     ctx.lineWidth = 2;
     for (let k = 0; k < 16; k++) {
       const angle = k * TAU / 16;
-      ctx.beginPath();
-      ctx.moveTo(0.35 * r * Math.cos(angle), 0.35 * r * Math.sin(angle));
-      ctx.lineTo(0.92 * r * Math.cos(angle), 0.92 * r * Math.sin(angle));
-      ctx.stroke();
+      const [x, y] = [r * Math.cos(angle), r * Math.sin(angle)];
+      strokeLine(ctx, 0.35 * x, 0.35 * y, 0.92 * x, 0.92 * y);
     }
   }
   ctx.restore();

@@ -1,7 +1,7 @@
 // The look of the pod race: pods with headings, exhaust and shields on their course, laps and who leads.
 
 import { drawDue, paintCourse, progressOf } from './course.js';
-import { captionSize, circle, targetLine, write } from './draw.js';
+import { captionSize, circle, fillWith, targetLine, write } from './draw.js';
 import { putShip } from './hulls.js';
 import { addLook, PLAIN_LOOK } from './looks.js';
 import { plainNumber } from './text.js';
@@ -157,8 +157,7 @@ function drawShield(scene, body) {
   ctx.stroke();
   if (!isUp) return;
   circle(ctx, x, y, radius);
-  ctx.fillStyle = withAlpha(paint.shield, 0.22);
-  ctx.fill();
+  fillWith(ctx, withAlpha(paint.shield, 0.22));
 }
 
 function drawPodLabel(scene, body) {

@@ -1,6 +1,6 @@
 // The look of the Poker Chip Race: chips with a notched rim in the colour of their owner, grey where they are neutral.
 
-import { circle, directionLine, sprites, TAU, write } from './draw.js';
+import { circle, directionLine, fillWith, ramp, sprites, strokeWith, TAU, write } from './draw.js';
 import { paintBadge, paintGlow } from './hulls.js';
 import { addLook, ranksOf } from './looks.js';
 import { paintFrame } from './ground.js';
@@ -90,14 +90,11 @@ function drawChip(scene, body) {
 function paintChip(ctx, r, owner, { theme, paint }) {
   const colour = owner === null ? paint.wall : theme.team(owner);
   if (owner !== null) paintGlow(ctx, r * 1.5, colour, theme.isDark ? 0.4 : 0.2);
-  const face = ctx.createRadialGradient(-r * 0.3, -r * 0.4, 0, 0, 0, r);
-  face.addColorStop(0, withAlpha(colour, owner === null ? 0.5 : 0.95));
-  face.addColorStop(1, withAlpha(colour, owner === null ? 0.22 : 0.65));
+  const face = ramp(ctx.createRadialGradient(-r * 0.3, -r * 0.4, 0, 0, 0, r),
+    [0, withAlpha(colour, owner === null ? 0.5 : 0.95)], [1, withAlpha(colour, owner === null ? 0.22 : 0.65)]);
   circle(ctx, 0, 0, r);
-  ctx.fillStyle = theme.isDark ? paint.abyss : paint.field;
-  ctx.fill();
-  ctx.fillStyle = face;
-  ctx.fill();
+  fillWith(ctx, theme.isDark ? paint.abyss : paint.field);
+  fillWith(ctx, face);
   if (r >= 5) {
     ctx.lineWidth = r * (1 - RIM);
     ctx.strokeStyle = theme.isDark ? withAlpha('white', owner === null ? 0.35 : 0.85) : withAlpha('white', 0.8);
@@ -108,18 +105,13 @@ function paintChip(ctx, r, owner, { theme, paint }) {
       ctx.stroke();
     }
     circle(ctx, 0, 0, r * RIM);
-    ctx.strokeStyle = withAlpha(paint.hull, 0.5);
-    ctx.lineWidth = Math.max(0.75, r * 0.03);
-    ctx.stroke();
+    strokeWith(ctx, withAlpha(paint.hull, 0.5), Math.max(0.75, r * 0.03));
   }
   if (owner !== null && r >= 4) {
     circle(ctx, 0, 0, r * 0.66);
-    ctx.fillStyle = withAlpha(paint.hull, 0.55);
-    ctx.fill();
+    fillWith(ctx, withAlpha(paint.hull, 0.55));
     paintBadge(ctx, r * 0.5, owner, colour, paint, theme.isDark);
   }
   circle(ctx, 0, 0, r);
-  ctx.strokeStyle = colour;
-  ctx.lineWidth = Math.max(0.75, r * 0.04);
-  ctx.stroke();
+  strokeWith(ctx, colour, Math.max(0.75, r * 0.04));
 }

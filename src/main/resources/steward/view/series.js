@@ -1,7 +1,5 @@
 // Numbers of a match over its turns, one list for each player: lead, speed, answer times, and a game's resources.
 
-import { scoresOf } from './looks.js';
-
 const NANOS_PER_MS = 1e6;
 
 /**
@@ -68,8 +66,7 @@ export class Series {
   /** How far each player has come, in what the game calls a lead; null where it tells nothing of the kind. */
   lead() {
     if (!this.match.players.length || !this.match.lastTurn) return null;
-    const progress = this.look.progress ?? scoresOf;
-    const lists = this.#grow('lead', number => progress(this.match, number));
+    const lists = this.#grow('lead', number => this.look.progress(this.match, number));
     return lists.some(list => list.some(value => value !== null)) ? lists : null;
   }
 

@@ -1,7 +1,7 @@
 // The field on its canvas. Everything here follows from what the game described; a look adds what is special to one.
 
 import { Camera } from './camera.js';
-import { captionSize, circle, lineTo, moveTo, write } from './draw.js';
+import { captionSize, circle, fillWith, lineTo, moveTo, write } from './draw.js';
 import { drawImpacts, drawMarks } from './effects.js';
 import { Ground } from './ground.js';
 import { drawRing } from './looks.js';
@@ -191,8 +191,7 @@ function pointAtHidden({ ctx, view, paint, theme }, body) {
   ctx.moveTo(12, 0);
   ctx.lineTo(-6, 8);
   ctx.lineTo(-6, -8);
-  ctx.fillStyle = theme.team(body.owner);
-  ctx.fill();
+  fillWith(ctx, theme.team(body.owner));
   ctx.restore();
   write({ ctx, paint }, body.label, atX, atY, 10, paint.ink, '700');
 }

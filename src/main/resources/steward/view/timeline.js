@@ -1,7 +1,7 @@
 // The strip that tells the game: the lead as an area (two players) or as lines, impacts as bars by impulse, events,
 // faults. A range input lies over it.
 
-import { circle, FONT, openCanvas } from './draw.js';
+import { circle, fillWith, FONT, openCanvas, ramp, strokeWith } from './draw.js';
 import { strengthOf } from './effects.js';
 import { areSteps } from './series.js';
 import { eventWords, grouped, impulseWords, nameOf, shorten } from './text.js';
@@ -86,9 +86,8 @@ export class Timeline {
     const isStepped = areSteps([leads]);
     for (const [sign, player] of [[1, 0], [-1, 1]]) {
       const colour = theme.team(player);
-      const fill = ctx.createLinearGradient(0, toY(sign > 0 ? above : -below) - sign, 0, middle);
-      fill.addColorStop(0, withAlpha(colour, 0.65));
-      fill.addColorStop(1, withAlpha(colour, 0.12));
+      const fill = ramp(ctx.createLinearGradient(0, toY(sign > 0 ? above : -below) - sign, 0, middle),
+        [0, withAlpha(colour, 0.65)], [1, withAlpha(colour, 0.12)]);
       ctx.save();
       ctx.beginPath();
       ctx.rect(0, sign > 0 ? 0 : middle, this.width, sign > 0 ? middle : this.height);
@@ -100,13 +99,10 @@ export class Timeline {
         ctx.lineTo(this.#toX(turn), toY(leads[turn]));
       }
       ctx.lineTo(this.#toX(leads.length - 1), toY(leads[leads.length - 1]));
-      ctx.strokeStyle = colour;
-      ctx.lineWidth = 1.75;
-      ctx.stroke();
+      strokeWith(ctx, colour, 1.75);
       ctx.lineTo(this.#toX(leads.length - 1), middle);
       ctx.closePath();
-      ctx.fillStyle = fill;
-      ctx.fill();
+      fillWith(ctx, fill);
       ctx.restore();
     }
     this.#drawBase(ctx);
@@ -147,9 +143,7 @@ export class Timeline {
       list.forEach((value, turn) => {
         if (value !== null) ctx.lineTo(this.#toX(turn), this.middle - Math.max(0, value) / (high || 1) * (this.middle - 18));
       });
-      ctx.strokeStyle = this.theme.team(k);
-      ctx.lineWidth = 1.75;
-      ctx.stroke();
+      strokeWith(ctx, this.theme.team(k), 1.75);
       x += this.#caption(ctx, `${name}, at most ${grouped(high)}`, x, this.theme.team(k)) + 14;
     });
   }

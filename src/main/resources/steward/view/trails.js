@@ -1,6 +1,6 @@
 // What bodies leave behind and where they go: trails, exhaust, velocities. All follows from the time alone.
 
-import { circle, hash01, moveTo, sprites } from './draw.js';
+import { circle, hash01, moveTo, sprites, strokeLine } from './draw.js';
 import { paintGlow } from './hulls.js';
 
 const TRAIL_TURNS = 22;
@@ -76,10 +76,7 @@ function drawTrail({ ctx, view, theme, match, moment }, body, turns, pieces) {
       ctx.fill();
       if (isOwned) {
         ctx.globalAlpha = young * young * (0.3 + 0.5 * Math.min(1, speed));
-        ctx.beginPath();
-        ctx.moveTo(before[1], before[2]);
-        ctx.lineTo(x, y);
-        ctx.stroke();
+        strokeLine(ctx, before[1], before[2], x, y);
       }
     }
     edge = next;

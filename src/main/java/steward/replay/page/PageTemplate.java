@@ -11,9 +11,9 @@ import steward.files.Resources;
 import steward.files.Sha256;
 
 /**
- * Template of a page, {@code page.html}, whose places <code>{{name}}</code> are filled with a replay or other data. All
- * modules become one script. The content security policy has the hashes of the script, the chart library and the style
- * sheet, so that nothing else can run.
+ * Template of a page, {@code page.html} behind a head that all have, whose places <code>{{name}}</code> are filled with
+ * a replay or other data. All modules become one script. The content security policy has the hashes of the script, the
+ * chart library and the style sheet, so that nothing else can run.
  */
 public final class PageTemplate {
 
@@ -22,7 +22,8 @@ public final class PageTemplate {
     private static final String LIBRARY = Resources.text(OF_REPLAYS + "uPlot.js") + "\n"
         + Resources.text(OF_REPLAYS + "gifenc.js");
     private static final String PACKED_LIBRARY = ReplayPage.embedded(LIBRARY.getBytes(StandardCharsets.UTF_8));
-    private static final String LIBRARY_STYLE = OF_REPLAYS + "uPlot.css";
+    private static final String COMMON_STYLE = Resources.text(OF_REPLAYS + "uPlot.css")
+        + Resources.text(OF_REPLAYS + "base.css");
     /** A module for a game whose jar is installed: it calls {@code addLook} of {@code ../view/looks.js}. */
     private static final String LOOK_OF_GAME = "/steward/looks/%s.js";
     private static final Pattern GAME = Pattern.compile("[a-z0-9-]{1,60}");
@@ -42,7 +43,6 @@ public final class PageTemplate {
      */
     static PageTemplate ofReplay(String title, String game) {
         PageTemplate page = new PageTemplate(OF_REPLAYS, title, lookOf(game));
-        page.put("meta", "");
         page.put("details", "");
         return page;
     }
@@ -58,10 +58,11 @@ public final class PageTemplate {
     }
 
     private PageTemplate(String folder, String title, String look) {
-        template = Resources.text(folder + "page.html");
-        style = Resources.text(LIBRARY_STYLE) + Resources.text(folder + "page.css");
+        template = Resources.text(OF_REPLAYS + "head.html") + Resources.text(folder + "page.html");
+        style = COMMON_STYLE + Resources.text(folder + "page.css");
         script = PageScript.of(folder + "page.js", look);
         values.put("title", escape(title));
+        values.put("meta", "");
         values.put("style", style);
         values.put("script", script);
         values.put("library", PACKED_LIBRARY);
