@@ -38,26 +38,8 @@ public class Bot {
 {{#codingame}}
         // Before the first turn.
 {{/codingame}}
-{{#setup}}
-{{#variables}}
-        {{#int}}int{{/int}}{{#real}}double{{/real}}{{#word}}String{{/word}} {{name}} = {{kind}}({{#json}}frame, "{{key}}"{{/json}});
-{{/variables}}
-{{#record}}
-        {{type}} {{name}} = read{{type}}({{#json}}object(frame.get("{{key}}")){{/json}});
-{{/record}}
-{{#list}}
-{{#json}}
-        {{type}}[] {{name}} = list(frame, "{{key}}").stream().map(Bot::read{{type}})
-            .toArray({{type}}[]::new);
-{{/json}}
-{{#codingame}}
-        {{type}}[] {{name}} = new {{type}}[{{count}}];
-        for (int k = 0; k < {{name}}.length; k++) {
-            {{name}}[k] = read{{type}}();
-        }
-{{/codingame}}
-{{/list}}
-{{/setup}}
+{{#readings}}
+{{#every}}
         for (;;) {
 {{#json}}
             frame = readFrame();                            // every turn
@@ -65,26 +47,28 @@ public class Bot {
 {{#codingame}}
             // Every turn. All of it has to be read, whether you use it or not.
 {{/codingame}}
-{{#turn}}
+{{/every}}
+{{#inputs}}
 {{#variables}}
-            {{#int}}int{{/int}}{{#real}}double{{/real}}{{#word}}String{{/word}} {{name}} = {{kind}}({{#json}}frame, "{{key}}"{{/json}});
+        {{step}}{{#int}}int{{/int}}{{#real}}double{{/real}}{{#word}}String{{/word}} {{name}} = {{kind}}({{#json}}frame, "{{key}}"{{/json}});
 {{/variables}}
 {{#record}}
-            {{type}} {{name}} = read{{type}}({{#json}}object(frame.get("{{key}}")){{/json}});
+        {{step}}{{type}} {{name}} = read{{type}}({{#json}}object(frame.get("{{key}}")){{/json}});
 {{/record}}
 {{#list}}
 {{#json}}
-            {{type}}[] {{name}} = list(frame, "{{key}}").stream().map(Bot::read{{type}})
-                .toArray({{type}}[]::new);
+        {{step}}{{type}}[] {{name}} = list(frame, "{{key}}").stream().map(Bot::read{{type}})
+        {{step}}    .toArray({{type}}[]::new);
 {{/json}}
 {{#codingame}}
-            {{type}}[] {{name}} = new {{type}}[{{count}}];
-            for (int k = 0; k < {{name}}.length; k++) {
-                {{name}}[k] = read{{type}}();
-            }
+        {{step}}{{type}}[] {{name}} = new {{type}}[{{count}}];
+        {{step}}for (int k = 0; k < {{name}}.length; k++) {
+        {{step}}    {{name}}[k] = read{{type}}();
+        {{step}}}
 {{/codingame}}
 {{/list}}
-{{/turn}}
+{{/inputs}}
+{{/readings}}
 
             // Change this: it decides what you answer.
 {{#notes}}

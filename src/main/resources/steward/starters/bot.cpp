@@ -115,27 +115,8 @@ int main() {
 {{#codingame}}
     // Before the first turn.
 {{/codingame}}
-{{#setup}}
-{{#variables}}
-    [[maybe_unused]] const auto {{name}} = {{kind}}({{#json}}frame, "{{key}}"{{/json}});
-{{/variables}}
-{{#record}}
-    const {{type}} {{name}} = read{{type}}({{#json}}frame["{{key}}"]{{/json}});
-{{/record}}
-{{#list}}
-    std::vector<{{type}}> {{name}};
-{{#json}}
-    for (const Json& each : frame["{{key}}"].items) {
-        {{name}}.push_back(read{{type}}(each));
-    }
-{{/json}}
-{{#codingame}}
-    for (int k = 0; k < {{count}}; k++) {
-        {{name}}.push_back(read{{type}}());
-    }
-{{/codingame}}
-{{/list}}
-{{/setup}}
+{{#readings}}
+{{#every}}
     for (;;) {
 {{#json}}
         frame = readFrame();                // every turn
@@ -143,27 +124,29 @@ int main() {
 {{#codingame}}
         // Every turn. All of it has to be read, whether you use it or not.
 {{/codingame}}
-{{#turn}}
+{{/every}}
+{{#inputs}}
 {{#variables}}
-        [[maybe_unused]] const auto {{name}} = {{kind}}({{#json}}frame, "{{key}}"{{/json}});
+    {{step}}[[maybe_unused]] const auto {{name}} = {{kind}}({{#json}}frame, "{{key}}"{{/json}});
 {{/variables}}
 {{#record}}
-        const {{type}} {{name}} = read{{type}}({{#json}}frame["{{key}}"]{{/json}});
+    {{step}}const {{type}} {{name}} = read{{type}}({{#json}}frame["{{key}}"]{{/json}});
 {{/record}}
 {{#list}}
-        std::vector<{{type}}> {{name}};
+    {{step}}std::vector<{{type}}> {{name}};
 {{#json}}
-        for (const Json& each : frame["{{key}}"].items) {
-            {{name}}.push_back(read{{type}}(each));
-        }
+    {{step}}for (const Json& each : frame["{{key}}"].items) {
+    {{step}}    {{name}}.push_back(read{{type}}(each));
+    {{step}}}
 {{/json}}
 {{#codingame}}
-        for (int k = 0; k < {{count}}; k++) {
-            {{name}}.push_back(read{{type}}());
-        }
+    {{step}}for (int k = 0; k < {{count}}; k++) {
+    {{step}}    {{name}}.push_back(read{{type}}());
+    {{step}}}
 {{/codingame}}
 {{/list}}
-{{/turn}}
+{{/inputs}}
+{{/readings}}
 
         // Change this: it decides what you answer.
 {{#notes}}

@@ -18,17 +18,8 @@ function main() {
 {{#codingame}}
   // Before the first turn.
 {{/codingame}}
-{{#setup}}
-{{#variables}}
-  const {{name}} = {{kind}}({{#json}}frame, '{{key}}'{{/json}});
-{{/variables}}
-{{#record}}
-  const {{name}} = read{{type}}({{#json}}frame.{{key}} || {}{{/json}});
-{{/record}}
-{{#list}}
-  const {{name}} = {{#json}}(frame.{{key}} || []).map(read{{type}}){{/json}}{{#codingame}}Array.from({ length: {{count}} }, read{{type}}){{/codingame}};
-{{/list}}
-{{/setup}}
+{{#readings}}
+{{#every}}
   for (;;) {
 {{#json}}
     frame = readFrame();                    // every turn
@@ -36,17 +27,19 @@ function main() {
 {{#codingame}}
     // Every turn. All of it has to be read, whether you use it or not.
 {{/codingame}}
-{{#turn}}
+{{/every}}
+{{#inputs}}
 {{#variables}}
-    const {{name}} = {{kind}}({{#json}}frame, '{{key}}'{{/json}});
+  {{step}}const {{name}} = {{kind}}({{#json}}frame, '{{key}}'{{/json}});
 {{/variables}}
 {{#record}}
-    const {{name}} = read{{type}}({{#json}}frame.{{key}} || {}{{/json}});
+  {{step}}const {{name}} = read{{type}}({{#json}}frame.{{key}} || {}{{/json}});
 {{/record}}
 {{#list}}
-    const {{name}} = {{#json}}(frame.{{key}} || []).map(read{{type}}){{/json}}{{#codingame}}Array.from({ length: {{count}} }, read{{type}}){{/codingame}};
+  {{step}}const {{name}} = {{#json}}(frame.{{key}} || []).map(read{{type}}){{/json}}{{#codingame}}Array.from({ length: {{count}} }, read{{type}}){{/codingame}};
 {{/list}}
-{{/turn}}
+{{/inputs}}
+{{/readings}}
 
     // Change this: it decides what you answer.
 {{#notes}}

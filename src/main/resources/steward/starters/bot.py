@@ -35,23 +35,8 @@ def main():
 {{#codingame}}
     # Before the first turn.
 {{/codingame}}
-{{#setup}}
-{{#variables}}
-    {{name}} = {{kind}}({{#json}}frame, "{{key}}"{{/json}})
-{{/variables}}
-{{#record}}
-{{#json}}
-    each = frame.get("{{key}}", {})
-{{/json}}
-    {{name}} = {{type}}({{#fields}}{{#wrap}}
-        {{/wrap}}{{kind}}({{#json}}each, "{{key}}"{{/json}}){{^last}}, {{/last}}{{/fields}})
-{{/record}}
-{{#list}}
-    {{name}} = [{{type}}({{#fields}}{{#wrap}}
-        {{/wrap}}{{kind}}({{#json}}each, "{{key}}"{{/json}}){{^last}}, {{/last}}{{/fields}})
-        for {{#json}}each in frame.get("{{key}}", []){{/json}}{{#codingame}}_ in range({{count}}){{/codingame}}]
-{{/list}}
-{{/setup}}
+{{#readings}}
+{{#every}}
     while True:
 {{#json}}
         frame = read_frame()            # every turn
@@ -59,23 +44,25 @@ def main():
 {{#codingame}}
         # Every turn. All of it has to be read, whether you use it or not.
 {{/codingame}}
-{{#turn}}
+{{/every}}
+{{#inputs}}
 {{#variables}}
-        {{name}} = {{kind}}({{#json}}frame, "{{key}}"{{/json}})
+    {{step}}{{name}} = {{kind}}({{#json}}frame, "{{key}}"{{/json}})
 {{/variables}}
 {{#record}}
 {{#json}}
-        each = frame.get("{{key}}", {})
+    {{step}}each = frame.get("{{key}}", {})
 {{/json}}
-        {{name}} = {{type}}({{#fields}}{{#wrap}}
-            {{/wrap}}{{kind}}({{#json}}each, "{{key}}"{{/json}}){{^last}}, {{/last}}{{/fields}})
+    {{step}}{{name}} = {{type}}({{#fields}}{{#wrap}}
+    {{step}}    {{/wrap}}{{kind}}({{#json}}each, "{{key}}"{{/json}}){{^last}}, {{/last}}{{/fields}})
 {{/record}}
 {{#list}}
-        {{name}} = [{{type}}({{#fields}}{{#wrap}}
-            {{/wrap}}{{kind}}({{#json}}each, "{{key}}"{{/json}}){{^last}}, {{/last}}{{/fields}})
-            for {{#json}}each in frame.get("{{key}}", []){{/json}}{{#codingame}}_ in range({{count}}){{/codingame}}]
+    {{step}}{{name}} = [{{type}}({{#fields}}{{#wrap}}
+    {{step}}    {{/wrap}}{{kind}}({{#json}}each, "{{key}}"{{/json}}){{^last}}, {{/last}}{{/fields}})
+    {{step}}    for {{#json}}each in frame.get("{{key}}", []){{/json}}{{#codingame}}_ in range({{count}}){{/codingame}}]
 {{/list}}
-{{/turn}}
+{{/inputs}}
+{{/readings}}
 
         # Change this: it decides what you answer.
 {{#notes}}

@@ -52,8 +52,10 @@ record StarterSource(StarterLanguage language, BotStub stub) {
         boolean nearest = stub.commands().stream().anyMatch(command -> !command.nearest().isEmpty());
         String all = stub.commands().toString();
         values.put("records", List.copyOf(records.values()));
-        values.put("setup", stub.setup().stream().map(this::input).toList());
-        values.put("turn", stub.turn().stream().map(this::input).toList());
+        String step = language == StarterLanguage.JS ? "  " : "    ";
+        values.put("readings", List.of(
+            Map.of("every", false, "step", "", "inputs", stub.setup().stream().map(this::input).toList()),
+            Map.of("every", true, "step", step, "inputs", stub.turn().stream().map(this::input).toList())));
         values.put("answer", stub.answer());
         values.put("commands", stub.commands().stream().map(this::command).toList());
         values.put("notes", stub.notes().stream().map(note -> Map.of("note", note)).toList());
