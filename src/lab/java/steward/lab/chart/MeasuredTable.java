@@ -6,7 +6,6 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import steward.files.CsvFile;
 import steward.files.OutputFiles;
 import steward.json.JsonObject;
 import steward.report.Fields;

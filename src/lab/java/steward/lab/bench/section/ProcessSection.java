@@ -13,7 +13,6 @@ import steward.bot.isolation.Isolation;
 import steward.bot.isolation.SandboxLevel;
 import steward.bot.isolation.SandboxSupport;
 import steward.bot.process.BotProcess;
-import steward.bot.process.PipeRoundTrip;
 import steward.game.GameSetup;
 import steward.lab.bench.Comparison;
 import steward.lab.bench.Contender;

@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import steward.bot.process.PipeRoundTrip;
 import steward.lab.bench.Comparison;
 import steward.lab.bench.Contender;
 import steward.lab.bench.Effort;

@@ -1,10 +1,11 @@
-package steward.cli.streams;
+package steward.lab.cli.bench;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
+import steward.cli.streams.Streams;
 
 /** The parts of a run on a terminal's line. */
 class RunProgressTest {

@@ -1,6 +1,8 @@
-package steward.cli.streams;
+package steward.lab.cli.bench;
 
 import java.util.concurrent.atomic.AtomicInteger;
+import steward.cli.streams.ProgressLine;
+import steward.cli.streams.Streams;
 
 /** Progress of a run of many parts: a {@link ProgressLine} for each, with its number. */
 public final class RunProgress {

@@ -1,4 +1,4 @@
-package steward.files;
+package steward.lab.chart;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import steward.files.OutputFiles;
 import steward.text.CsvRow;
 
 /** A table on disk has every row that was added, at once and in UTF-8. */

@@ -1,4 +1,4 @@
-package steward.bot.process;
+package steward.lab.bench.section;
 
 import java.io.EOFException;
 import java.io.IOException;
@@ -6,12 +6,13 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.lang.ProcessBuilder.Redirect;
 import java.util.List;
+import steward.bot.process.BotProcess;
 
 /**
  * Baseline for measuring {@link BotProcess}: a program that answers each line with a line over bare pipes, without
  * deadline, limit, group or stderr.
  */
-public final class PipeRoundTrip implements AutoCloseable {
+final class PipeRoundTrip implements AutoCloseable {
 
     private final Process process;
     private final OutputStream input;
@@ -19,7 +20,7 @@ public final class PipeRoundTrip implements AutoCloseable {
     private final byte[] buffer = new byte[1 << 13];
 
     /** @throws IOException if the program cannot be started */
-    public PipeRoundTrip(List<String> command) throws IOException {
+    PipeRoundTrip(List<String> command) throws IOException {
         process = new ProcessBuilder(command).redirectError(Redirect.DISCARD).start();
         input = process.getOutputStream();
         output = process.getInputStream();
@@ -31,7 +32,7 @@ public final class PipeRoundTrip implements AutoCloseable {
      * @return how many bytes were received
      * @throws IOException if the program has ended
      */
-    public int exchange(byte[] lines, int length) throws IOException {
+    int exchange(byte[] lines, int length) throws IOException {
         input.write(lines, 0, length);
         input.flush();
         for (int count = 0;;) {

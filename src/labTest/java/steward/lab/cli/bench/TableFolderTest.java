@@ -1,4 +1,4 @@
-package steward.cli.options;
+package steward.lab.cli.bench;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;

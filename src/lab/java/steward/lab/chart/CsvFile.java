@@ -1,4 +1,4 @@
-package steward.files;
+package steward.lab.chart;
 
 import java.io.IOException;
 import java.io.OutputStream;
@@ -9,7 +9,7 @@ import java.util.List;
 import steward.text.CsvRow;
 
 /** A CSV table that grows row by row; each added row is in the file at once, whatever happens next. */
-public final class CsvFile implements AutoCloseable {
+final class CsvFile implements AutoCloseable {
 
     private final OutputStream out;
 
@@ -18,13 +18,13 @@ public final class CsvFile implements AutoCloseable {
      *
      * @throws IOException if it cannot be written
      */
-    public CsvFile(Path file, String... columns) throws IOException {
+    CsvFile(Path file, String... columns) throws IOException {
         out = Files.newOutputStream(file);
         add(new CsvRow().words(columns));
     }
 
     /** @throws IOException if it cannot be written */
-    public void add(CsvRow row) throws IOException {
+    void add(CsvRow row) throws IOException {
         addAll(List.of(row));
     }
 
@@ -33,7 +33,7 @@ public final class CsvFile implements AutoCloseable {
      *
      * @throws IOException if they cannot be written
      */
-    public void addAll(List<CsvRow> rows) throws IOException {
+    void addAll(List<CsvRow> rows) throws IOException {
         StringBuilder lines = new StringBuilder();
         rows.forEach(row -> lines.append(row.line()));
         out.write(lines.toString().getBytes(StandardCharsets.UTF_8));

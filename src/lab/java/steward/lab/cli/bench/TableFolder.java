@@ -1,10 +1,11 @@
-package steward.cli.options;
+package steward.lab.cli.bench;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Option;
+import steward.cli.options.CallCheck;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 
