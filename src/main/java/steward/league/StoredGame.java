@@ -51,12 +51,6 @@ public record StoredGame(long id, byte[] name, int decision, long seed, int atte
         seats = List.copyOf(seats);
     }
 
-    /** A game whose transcript is not known. */
-    public StoredGame(long id, byte[] name, int decision, long seed, int attempt, boolean counts, int turns,
-                      String problem, long played, String machine, String replay, List<StoredSeat> seats) {
-        this(id, name, decision, seed, attempt, counts, turns, problem, played, machine, replay, 0, seats);
-    }
-
     /** By seat, whether the bot failed in this game; nothing if it does not count. */
     public boolean[] failed() {
         boolean[] failed = new boolean[counts ? seats.size() : 0];

@@ -52,12 +52,6 @@ public final class ReplayWriter implements MatchListener, AutoCloseable {
         this(file, header, server, null, null);
     }
 
-    /** @param key to sign with, or {@code null} */
-    @Internal
-    public ReplayWriter(OutputStream file, ReplayHeader header, SigningKey key) {
-        this(file, header, null, key, null);
-    }
-
     /**
      * @param key       to sign with, or {@code null}
      * @param isolation how bots are kept apart, which is signed as well: words without quotes

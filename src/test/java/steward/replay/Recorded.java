@@ -68,7 +68,7 @@ public record Recorded(byte[] bytes, MatchResult result) {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
         ReplayHeader header = new ReplayHeader(setup.scene().gameId(), setup.scene().json(), seed, names, names,
             Double.POSITIVE_INFINITY).ofLaw(setup.plan().lawVersion());
-        try (ReplayWriter writer = new ReplayWriter(file, header, key)) {
+        try (ReplayWriter writer = new ReplayWriter(file, header, key, null)) {
             MatchResult result = new Referee(setup, seed, players, TimeControl.UNLIMITED, writer).play();
             return new Recorded(file.toByteArray(), result);
         } catch (InterruptedException nobodyDoes) {

@@ -110,7 +110,7 @@ class SignedReplayTest {
         GameSetup setup = TestScenes.open("duel");
         ReplayHeader header = new ReplayHeader("pod-race", setup.scene().json(), 7, List.of("a", "b"),
             List.of("a", "b"), Double.POSITIVE_INFINITY);
-        try (ReplayWriter writer = new ReplayWriter(file, header, KEY)) {
+        try (ReplayWriter writer = new ReplayWriter(file, header, KEY, null)) {
             new Referee(setup, 7, List.of(new InProcessPlayer("a", new SeededBot(1, 0)), new InProcessPlayer("b",
                 new SeededBot(2, 0))), TimeControl.UNLIMITED, writer).play();
         }

@@ -15,7 +15,7 @@ import steward.league.Season;
 import steward.league.StoredGame;
 import steward.league.page.WorkerRow;
 import steward.league.play.LeagueRun;
-import steward.league.play.Roster.Member;
+import steward.league.play.RemoteMachines;
 import steward.machines.check.WorkerBook;
 import steward.machines.serve.RemoteGames;
 import steward.machines.serve.WorkerSeen;
@@ -35,43 +35,8 @@ final class ServedGames implements Serving.Service {
     }
 
     @Override
-    public int takePlace(long waitMs) throws InterruptedException {
-        return games.takePlace(waitMs);
-    }
-
-    @Override
-    public void leavePlace() {
-        games.leavePlace();
-    }
-
-    @Override
-    public List<List<StoredGame>> play(List<Game> together) throws InterruptedException {
-        return games.play(together);
-    }
-
-    @Override
-    public void hurry() {
-        games.hurry();
-    }
-
-    @Override
-    public boolean canPlay(List<Member> members) {
-        return games.canPlay(members);
-    }
-
-    @Override
-    public boolean isAway() {
-        return games.isAway();
-    }
-
-    @Override
-    public String obstacle(List<Member> members) {
-        return games.obstacle(members);
-    }
-
-    @Override
-    public boolean isTrusted(String machine) {
-        return games.isTrusted(machine);
+    public RemoteMachines games() {
+        return games;
     }
 
     @Override

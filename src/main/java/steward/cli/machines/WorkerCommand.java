@@ -114,7 +114,7 @@ public final class WorkerCommand extends ProgramCommand {
         Worker worker = new Worker(new Worker.Options(found.getHostString(), found.getPort(), token,
             threads.count(streams), games == null ? Long.MAX_VALUE : games, nanos, isolation, folder(),
             platform == null ? Platform.here() : platform, ProgramVersion.text(),
-            LeagueRunCommand.machine(isolation.get().level().word()), null), Games.types(guests),
+            LeagueRunCommand.machine(isolation.get().level().word())), Games.types(guests),
             what -> log.err().println("steward: " + TextFormat.plain(what)));
         watch(worker, idleNanos, stopFile == null ? null : OutputFiles.path(stopFile));
         return play(worker);

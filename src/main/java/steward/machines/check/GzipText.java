@@ -22,11 +22,7 @@ public final class GzipText {
     private GzipText() { }
 
     public static byte[] compressed(byte[] bytes) {
-        return compressed(bytes, bytes.length);
-    }
-
-    static byte[] compressed(byte[] bytes, int count) {
-        return compressed(bytes, count, Deflater.DEFAULT_COMPRESSION);
+        return compressed(bytes, bytes.length, Deflater.DEFAULT_COMPRESSION);
     }
 
     /** Compresses so many of the bytes faster and not as short: for data that is sent once. */

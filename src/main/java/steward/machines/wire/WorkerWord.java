@@ -72,11 +72,6 @@ public interface WorkerWord {
      */
     record Played(List<byte[]> transcripts, List<Boolean> starved, String problem, String discarded) {
 
-        /** A game whose last attempt counts. */
-        public Played(List<byte[]> transcripts, List<Boolean> starved, String problem) {
-            this(transcripts, starved, problem, null);
-        }
-
         public Played {
             transcripts = List.copyOf(transcripts);
             starved = List.copyOf(starved);

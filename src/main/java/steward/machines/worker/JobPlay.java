@@ -13,7 +13,6 @@ import steward.bot.command.BotCommand;
 import steward.bot.command.Program;
 import steward.bot.isolation.Isolation;
 import steward.contest.Attempts;
-import steward.contest.BotStarter;
 import steward.contest.Contest;
 import steward.contest.Contest.Entrant;
 import steward.contest.GameLog;
@@ -91,12 +90,11 @@ final class JobPlay {
      *
      * @param folder   where bundles go
      * @param platform that this machine is
-     * @param starter  starts bots, or {@code null} for programs
      * @throws InputException      if it cannot be used
      * @throws OtherRulesException if the league's program computes other results in this scene
      */
     JobPlay(LeagueWord.Welcome welcome, GameTypes types, Supplier<Isolation> isolation, Path folder, String platform,
-            String version, BotStarter starter) throws OtherRulesException {
+            String version) throws OtherRulesException {
         hiccups = welcome.hiccups();
         String theirs = welcome.version();
         String rules = welcome.rules();
@@ -113,9 +111,8 @@ final class JobPlay {
                 + "Steward " + version + " (results " + own + ") here, expected versions that compute the same",
                 "rules", own);
         }
-        Contest usual = Contest.withoutBots(setup, welcome.factor()).limitedBy(welcome.basis())
+        contest = Contest.withoutBots(setup, welcome.factor()).limitedBy(welcome.basis())
             .isolatedBy(() -> isolation.get().holding(welcome.hold()));
-        contest = starter == null ? usual : usual.startedBy(starter);
         this.folder = folder;
         this.platform = platform;
     }

@@ -12,9 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import steward.bot.command.Platform;
 import steward.bot.isolation.Isolation;
-import steward.contest.BotStarter;
 import steward.files.InputException;
 import steward.game.GameTypes;
 import steward.machines.broker.BrokerClient;
@@ -80,18 +78,10 @@ public final class Worker {
      * @param folder    where bundles go
      * @param platform  that it is, as commands of bots are for one
      * @param machine   what it is played on
-     * @param starter   starts bots, {@code null} as the league's programs
      */
     public record Options(String host, int port, WorkerToken token, int slots, long games, long nanos,
                           Supplier<Isolation> isolation, Path folder, String platform, String version,
-                          String machine, BotStarter starter) {
-
-        /** Options of a worker whose bots are programs of this machine's platform. */
-        public Options(String host, int port, WorkerToken token, int slots, long games, long nanos,
-                       Supplier<Isolation> isolation, Path folder, String version, String machine) {
-            this(host, port, token, slots, games, nanos, isolation, folder, Platform.here(), version, machine, null);
-        }
-    }
+                          String machine) { }
 
     /** @param teller is told what happens, by any thread */
     public Worker(Options options, GameTypes types, Consumer<String> teller) {
@@ -231,7 +221,7 @@ public final class Worker {
     private JobPlay jobs(BrokerClient client, LeagueWord.Welcome welcome) throws BrokenException {
         try {
             return new JobPlay(welcome.with(scene(client, welcome), null, 0), types, options.isolation(),
-                options.folder(), options.platform(), options.version(), options.starter());
+                options.folder(), options.platform(), options.version());
         } catch (SceneException problem) {
             throw new InputException(problem.getMessage());
         } catch (JobPlay.OtherRulesException problem) {

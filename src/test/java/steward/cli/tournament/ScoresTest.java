@@ -19,7 +19,7 @@ class ScoresTest {
 
     private void game(boolean counts, String problem, int[] versions, int... ranks) {
         games.add(new StoredGame(games.size() + 1, new byte[16], games.size(), 7, 1, counts, 10, problem, 0, "m", null,
-            IntStream.range(0, ranks.length).mapToObj(seat -> new StoredSeat(versions[seat], ranks[seat],
+            0, IntStream.range(0, ranks.length).mapToObj(seat -> new StoredSeat(versions[seat], ranks[seat],
                 -ranks[seat], null, 10, 0, 0, 0)).toList()));
     }
 

@@ -77,7 +77,7 @@ class TournamentPagesTest {
     }
 
     private static StoredGame game(int id, String fault) {
-        return new StoredGame(id, new byte[16], id, 7, 1, true, 12, null, 0, "m", "a.jsonl", List.of(
+        return new StoredGame(id, new byte[16], id, 7, 1, true, 12, null, 0, "m", "a.jsonl", 0, List.of(
             new StoredSeat(1, 1, 0, fault, 5, 0, 0, 0), new StoredSeat(2, 0, 1, null, 12, 0, 0, 0)));
     }
 

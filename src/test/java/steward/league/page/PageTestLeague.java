@@ -47,7 +47,7 @@ public final class PageTestLeague {
                     results.addSums(one, 1, won ? 12 : 7, failed && !won ? 1 : 0, 100, 300_000 * one, 9_000_000);
                     results.addSums(other, 1, won ? 7 : 12, failed && won ? 1 : 0, 100, 300_000 * other, 9_000_000);
                     games.add(0, new StoredGame(games.size() + 1, new byte[0], 0, games.size(), 1, true, 128, null, 0,
-                        "here", null, List.of(seat(one, won, fault), seat(other, !won, fault))));
+                        "here", null, 0, List.of(seat(one, won, fault), seat(other, !won, fault))));
                     if (games.size() % Math.max(1, all / POINTS) == 0) {
                         path.take(results);
                     }

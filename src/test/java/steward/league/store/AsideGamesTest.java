@@ -45,7 +45,7 @@ class AsideGamesTest {
 
     private StoredGame game(long seed, int attempt, int rank, String one, String other, String machine) {
         return new StoredGame(0, GameName.of(GameStoreTest.SEASON, seed, List.of("1a", "1b"), attempt), (int) seed,
-            seed, attempt, true, 1, null, seed, machine, null, List.of(
+            seed, attempt, true, 1, null, seed, machine, null, 0, List.of(
             new StoredSeat(a.id(), 0, 1, one, 1, 1, 1, 1), new StoredSeat(b.id(), rank, 0, other, 1, 1, 1, 1)));
     }
 

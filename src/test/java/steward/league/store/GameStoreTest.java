@@ -71,7 +71,7 @@ class GameStoreTest {
 
     static StoredGame game(Version one, Version other, long seed, int ranks, int attempt, boolean counts) {
         return new StoredGame(0, GameName.of(SEASON, seed, List.of(one.identity(), other.identity()), attempt),
-            (int) seed, seed, attempt, counts, 50, null, 1000 + seed, "here", counts ? null : "aa/x.jsonl",
+            (int) seed, seed, attempt, counts, 50, null, 1000 + seed, "here", counts ? null : "aa/x.jsonl", 0,
             List.of(new StoredSeat(one.id(), ranks == 1 ? 1 : 0, 3, null, 50, 100, 900, 5000),
                 new StoredSeat(other.id(), ranks == -1 ? 1 : 0, 2, ranks == -1 ? "exited" : null, 50, 200, 800, 6000)));
     }
@@ -228,7 +228,7 @@ class GameStoreTest {
     @Test
     void gamesInWhichAllFailedAreRatedByNothing() {
         StoredGame failed = new StoredGame(0, GameName.of(SEASON, 7, List.of("1a", "1b"), 1), 7, 7, 1, true, 1,
-            null, 1007, "here", null, List.of(new StoredSeat(a.id(), 0, 0, "exited", 1, 100, 100, 100),
+            null, 1007, "here", null, 0, List.of(new StoredSeat(a.id(), 0, 0, "exited", 1, 100, 100, 100),
             new StoredSeat(b.id(), 0, 0, "exited", 1, 100, 100, 100)));
         add(failed, game(a, b, 8, -1, 1, true));
         assertEquals(List.of(), store.badRows(1));

@@ -133,7 +133,7 @@ public final class MadeUpGames {
         boolean win = random.nextDouble() < chance;
         byte[] name = GameName.of(key, decision, List.of(versions.get(one).identity(),
             versions.get(other).identity()), 1);
-        return new StoredGame(0, name, decision, decision, 1, true, TURNS, null, number, "made up", null,
+        return new StoredGame(0, name, decision, decision, 1, true, TURNS, null, number, "made up", null, 0,
             List.of(seat(one, draw || win), seat(other, draw || !win)));
     }
 

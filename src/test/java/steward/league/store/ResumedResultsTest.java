@@ -42,7 +42,7 @@ class ResumedResultsTest {
             seats.add(new StoredSeat(bots.get(k).id(), ranks[k], random.nextInt(3), null, 5, 100, 900, 5000));
         }
         return new StoredGame(0, GameName.of(season, decision, identities, seat + 1), decision, decision, 1,
-            true, 50, null, 1000, "here", null, seats);
+            true, 50, null, 1000, "here", null, 0, seats);
     }
 
     /** Decisions in which each bot has each seat; of decision 700 a game is missing, decision 900 has none. */

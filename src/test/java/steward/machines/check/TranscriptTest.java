@@ -12,6 +12,7 @@ import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -221,7 +222,7 @@ class TranscriptTest {
         assertTrue(other.startsWith("a game"), other);
         byte[] sent = GzipText.bytes(game.transcript());
         for (int length = 0; length < sent.length; length += 1 + sent.length / 50) {
-            byte[] part = GzipText.compressed(sent, length);
+            byte[] part = GzipText.compressed(Arrays.copyOf(sent, length));
             assertThrows(DisprovedException.class,
                 () -> new TranscriptCheck(game.contest()).check("a game", part, game.expected()));
         }

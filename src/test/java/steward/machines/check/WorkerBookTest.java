@@ -26,7 +26,7 @@ class WorkerBookTest {
         boolean wins = random.nextDouble() < kind.weakWins;
         StoredSeat weak = seat(1, wins, kind, random);
         StoredSeat strong = seat(2, !wins, kind, random);
-        return new StoredGame(0, new byte[16], 0, random.nextLong(), 1, true, 50, null, 0, machine, null,
+        return new StoredGame(0, new byte[16], 0, random.nextLong(), 1, true, 50, null, 0, machine, null, 0,
             random.nextBoolean() ? List.of(strong, weak) : List.of(weak, strong));
     }
 
@@ -106,7 +106,7 @@ class WorkerBookTest {
             for (int k = 0; k < 80; k++) {
                 StoredGame forged = game("worker x: m", new Kind(1, 0.02, 1), random);
                 book.add(!suspended ? forged : new StoredGame(0, forged.name(), 0, forged.seed(), 1, false, 50,
-                    StoredGame.SUSPENDED + "why", 0, forged.machine(), null, forged.seats()));
+                    StoredGame.SUSPENDED + "why", 0, forged.machine(), null, 0, forged.seats()));
                 book.add(game("worker a: m", HONEST, random));
             }
             WorkerBook.Line honest = book.lines().get(0);
@@ -143,7 +143,7 @@ class WorkerBookTest {
             book.add(game("worker y: m", HONEST, random));
         }
         for (String problem : new String[] {StoredGame.SET_ASIDE + "worker y was caught", null}) {
-            book.add(new StoredGame(9, first.name(), -1, 1, 1, false, 5, problem, 0, "worker y: m", null,
+            book.add(new StoredGame(9, first.name(), -1, 1, 1, false, 5, problem, 0, "worker y: m", null, 0,
                 first.seats()));
         }
         book.add(game("Java 17, here", HONEST, random));

@@ -99,7 +99,7 @@ public final class HostileWorker {
 
     private WorkerWord.Played played(GameJob.Game game) throws InterruptedException {
         if (way == Way.FAILS) {
-            return new WorkerWord.Played(List.of(), List.of(), "no space left on device");
+            return new WorkerWord.Played(List.of(), List.of(), "no space left on device", null);
         }
         boolean honest = games++ < 3;
         byte[] transcript = switch (way) {
@@ -111,7 +111,7 @@ public final class HostileWorker {
                 : text.replaceFirst("\"thrust\":(100|0)", "\"thrust\":50"));
             default -> transcript(game, honest || way != Way.ANSWERS);
         };
-        return new WorkerWord.Played(List.of(transcript), List.of(false), null);
+        return new WorkerWord.Played(List.of(transcript), List.of(false), null, null);
     }
 
     private byte[] transcript(GameJob.Game game, boolean honest) throws InterruptedException {

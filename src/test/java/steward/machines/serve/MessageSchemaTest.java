@@ -27,6 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import steward.bot.command.Platform;
 import steward.bot.isolation.Isolation;
 import steward.cli.FreePort;
 import steward.cli.shared.Games;
@@ -138,7 +139,8 @@ class MessageSchemaTest extends ServedLeague {
             for (byte[] greeting : List.of(welcome, others)) {
                 List<String> told = new ArrayList<>();
                 Worker worker = new Worker(new Worker.Options("127.0.0.1", port, token, 1, 3, Long.MAX_VALUE,
-                    () -> Isolation.OFF, folder.resolve("bundles"), "2", "a machine"), Games.types(), told::add);
+                    () -> Isolation.OFF, folder.resolve("bundles"), Platform.here(), "2", "a machine"), Games.types(),
+                    told::add);
                 CompletableFuture<String> playing = CompletableFuture.supplyAsync(() -> played(worker));
                 answer(broker, greeting, job, bundles, playing);
                 String end = playing.get();

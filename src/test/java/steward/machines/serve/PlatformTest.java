@@ -36,7 +36,7 @@ class PlatformTest extends ServedLeague {
 
     private Worker far(WorkerToken token) {
         return new Worker(new Worker.Options("127.0.0.1", port, token, 1, Long.MAX_VALUE, Long.MAX_VALUE,
-            () -> Isolation.OFF, folder.resolve("bundles of " + token.worker()), FAR, "1", "far away", null),
+            () -> Isolation.OFF, folder.resolve("bundles of " + token.worker()), FAR, "1", "far away"),
             Games.types(), what -> { });
     }
 

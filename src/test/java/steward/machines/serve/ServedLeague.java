@@ -18,6 +18,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.io.TempDir;
+import steward.bot.command.Platform;
 import steward.bot.isolation.Isolation;
 import steward.cli.Cli;
 import steward.cli.FreePort;
@@ -123,8 +124,8 @@ abstract class ServedLeague {
 
     Worker worker(WorkerToken token, int slots, long games, GameTypes types) {
         return new Worker(new Worker.Options("127.0.0.1", port, token, slots, games, Long.MAX_VALUE,
-            () -> Isolation.OFF, folder.resolve("bundles of " + token.worker()), "1", "a machine of the test"),
-            types, what -> { });
+            () -> Isolation.OFF, folder.resolve("bundles of " + token.worker()), Platform.here(), "1",
+            "a machine of the test"), types, what -> { });
     }
 
     /** Plays until the league does not answer any more. */
@@ -196,7 +197,7 @@ abstract class ServedLeague {
         List<String> commands = game.seats().stream().map(GameJob.Seat::name).map(name -> name + "=codingame:"
             + (name.equals("fast") ? bots.driver() : bots.idler(name.equals("wrong") ? 3 : 0))).toList();
         return new WorkerWord.Played(List.of(HostileWorker.transcript(folder.resolve("short.json").toString(), commands,
-            game.seed(), 1)), List.of(false), null);
+            game.seed(), 1)), List.of(false), null, null);
     }
 
     static void hello(BrokerClient client, String machine) throws BrokenException {

@@ -344,6 +344,6 @@ class WorkerVerdictsTest extends ServedLeague {
 
     private static void fail(BrokerClient.Taker taker, GameJob job) throws BrokenException {
         taker.finish(new WorkerWord.Result(job.id(), List.of(new WorkerWord.Played(List.of(), List.of(),
-            "no space left on device"))).bytes());
+            "no space left on device", null))).bytes());
     }
 }

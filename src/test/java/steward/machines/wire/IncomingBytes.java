@@ -32,8 +32,8 @@ public final class IncomingBytes {
             .put("machine", "a machine").put("slots", 2)),
         WireMessage.bytes(new HeaderText().put("type", "fetch").put("bundle", HASH).put("from", 262_144)),
         new WorkerWord.Result(HASH.substring(32), List.of(new WorkerWord.Played(List.of(new byte[] {1, 2, 3},
-            new byte[] {4, 5}), List.of(true, false), null), new WorkerWord.Played(List.of(new byte[] {6}),
-                List.of(false), "no"))).bytes(),
+            new byte[] {4, 5}), List.of(true, false), null, null), new WorkerWord.Played(List.of(new byte[] {6}),
+                List.of(false), "no", null))).bytes(),
         WireMessage.bytes(new HeaderText().put("type", "unfit").put("bundle", HASH).put("reason", "no python3")),
         WireMessage.bytes(new HeaderText().put("type", "differs").put("rules", "0123456789abcdef")));
     private static final GameJob.Seat ONE = new GameJob.Seat("a", HASH, 99, null);

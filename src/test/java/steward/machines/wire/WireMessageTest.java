@@ -23,7 +23,7 @@ class WireMessageTest {
 
     private static byte[] message() {
         return new WorkerWord.Result("12", List.of(new WorkerWord.Played(List.of(new byte[] {1, 2, 3}), List.of(false),
-            null))).bytes();
+            null, null))).bytes();
     }
 
     @Test
@@ -78,9 +78,9 @@ class WireMessageTest {
 
     @Test
     void aResultHasTheGamesThatWereBegun() {
-        WorkerWord.Played once = new WorkerWord.Played(List.of(new byte[] {1}), List.of(false), null);
+        WorkerWord.Played once = new WorkerWord.Played(List.of(new byte[] {1}), List.of(false), null, null);
         WorkerWord.Played twice = new WorkerWord.Played(List.of(new byte[] {2, 3}, new byte[] {4}),
-            List.of(true, false), "no");
+            List.of(true, false), "no", null);
         byte[] bytes = new WorkerWord.Result("a", List.of(once, twice)).bytes();
         WorkerWord.Result read = (WorkerWord.Result) WorkerWord.read(bytes, "m", 9);
         assertEquals(2, read.games().size());

@@ -225,8 +225,8 @@ public final class LeagueRunCommand extends ProgramCommand {
         Serving.Service machines = serving.start(open.folder(), season, contest, settings, teller);
         LeagueRun run;
         try (screen; machines) {
-            run = new LeagueRun(open, contest, reader, roster, limits, rules, machines, machine(contest),
-                teller, game -> {
+            run = new LeagueRun(open, contest, reader, roster, limits, rules, machines == null ? null
+                : machines.games(), machine(contest), teller, game -> {
                     progress.add(game);
                     follower.accept(game);
                     if (machines != null) {

@@ -17,7 +17,10 @@ import steward.machines.check.WorkerBook;
 public interface Serving {
 
     /** Other machines, while a run lasts. */
-    interface Service extends RemoteMachines, AutoCloseable {
+    interface Service extends AutoCloseable {
+
+        /** Returns what plays the games. */
+        RemoteMachines games();
 
         /**
          * Says for which run they play, and what is to be done when games that counted do no more.
