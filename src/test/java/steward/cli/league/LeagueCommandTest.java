@@ -117,12 +117,6 @@ class LeagueCommandTest {
     }
 
     @Test
-    void aTableIsAPageToo() {
-        generated("a", 20);
-        assertTrue(done("table", "TMP/a", "--html").startsWith("<!DOCTYPE html>"));
-    }
-
-    @Test
     void aBackupIsALeaguesDatabase() throws IOException {
         generated("a", 50);
         done("backup", "TMP/a", "TMP/copy.db");

@@ -7,7 +7,6 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
@@ -73,8 +72,7 @@ public final class GamesCommand extends ProgramCommand {
         check.range("--limit", limit, 1, MOST);
         check.that(!json || !open && view == null, "--json: expected no --open and no --view with it");
         try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
-            Map<Integer, String> names = new HashMap<>();
-            opened.entries().forEach(entry -> names.put(entry.version(), entry.name()));
+            Map<Integer, String> names = opened.names();
             int version = filter.version(opened.entries());
             int opponent = filter.opponent(opened.entries());
             List<StoredGame> found = new ArrayList<>();

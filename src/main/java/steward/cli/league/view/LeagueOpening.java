@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import picocli.CommandLine;
 import steward.bot.isolation.ChosenLocale;
 import steward.bot.isolation.Isolation;
@@ -129,6 +130,11 @@ public final class LeagueOpening {
             } catch (InputException gone) {
                 return List.of();
             }
+        }
+
+        /** The names of all versions. */
+        public Map<Integer, String> names() {
+            return entries.stream().collect(Collectors.toMap(LeagueTable.Entry::version, LeagueTable.Entry::name));
         }
 
         @Override

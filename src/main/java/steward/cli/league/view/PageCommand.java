@@ -6,7 +6,6 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Command;
@@ -87,16 +86,15 @@ public final class PageCommand extends ProgramCommand {
         return ExitStatus.DONE;
     }
 
-    /** Writes the page, and beside its file, if it has one, pages of games that it does not hold. */
-    static EmbeddedReplays write(LeagueOpening.Opened opened, LeagueTable table, Path file, OutputStream html) {
+    /** Writes the page, and beside its file pages of games that it does not hold. */
+    private static EmbeddedReplays write(LeagueOpening.Opened opened, LeagueTable table, Path file, OutputStream html) {
         List<StoredGame> games = games(opened);
         Path folder = opened.folder().replays();
-        Map<Integer, String> names = new HashMap<>();
-        opened.entries().forEach(entry -> names.put(entry.version(), entry.name()));
+        Map<Integer, String> names = opened.names();
         try {
             EmbeddedReplays replays = EmbeddedReplays.of(games, folder, Games.types(), null, game ->
-                Pages.title(game.seats().stream().map(seat -> names.getOrDefault(seat.version(), "?")).toList()));
-            replays = file == null ? replays : replays.beside(file, Games.types());
+                Pages.title(game.seats().stream().map(seat -> names.getOrDefault(seat.version(), "?")).toList()))
+                .beside(file, Games.types());
             RatingPath path = opened.games().path(opened.entries(), table.reference());
             LeaguePage.write(new LeagueView(opened.season(), table, path, games, Double.NaN, opened.workers(),
                 WhyCommand.ofPage(opened, games)), folder,

@@ -1,7 +1,5 @@
 package steward.cli.league.view;
 
-import java.io.ByteArrayOutputStream;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.function.Consumer;
 import picocli.CommandLine.Command;
@@ -34,9 +32,6 @@ public final class TableCommand extends ProgramCommand {
     @Option(names = "--csv", description = "Prints comma-separated values, a line for each bot.")
     private boolean csv;
 
-    @Option(names = "--html", description = "Prints the page of 'league page'.")
-    private boolean html;
-
     @Mixin
     private final PartOptions part = new PartOptions();
 
@@ -49,9 +44,7 @@ public final class TableCommand extends ProgramCommand {
 
     @Override
     public Integer call() {
-        check.that((json ? 1 : 0) + (csv ? 1 : 0) + (html ? 1 : 0) <= 1, "--json, --csv and --html exclude each other");
-        check.that(!part.isAny() || !html, "--html: expected the whole league, found a part of its games");
-        check.that(!values || !html, "--values: expected text, --json or --csv with it");
+        check.exclusive("--json", json, "--csv", csv);
         part.check();
         try (LeagueOpening.Opened opened = LeagueOpening.read(league.open())) {
             LeagueTable table = part.isAny() ? reference.table(partial(opened), part.rows(opened.entries()))
@@ -67,10 +60,6 @@ public final class TableCommand extends ProgramCommand {
             } else if (csv) {
                 streams.out().print(own.addTo(LeagueJson.bots(table, true), row -> row.entry().version())
                     .csv(table.rows(), number -> TextFormat.number(number, 6)));
-            } else if (html) {
-                ByteArrayOutputStream page = new ByteArrayOutputStream();
-                PageCommand.write(opened, table, null, page);
-                streams.out().print(page.toString(StandardCharsets.UTF_8));
             } else {
                 TableText.whole(table, opened.season(), opened.workers(), streams.outColour())
                     .forEach(streams.out()::println);
