@@ -1,6 +1,5 @@
 package steward.league;
 
-import java.io.StringWriter;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
@@ -9,14 +8,11 @@ import java.util.Map;
 import steward.bot.TimeBasis;
 import steward.match.OwnLimits;
 import steward.scene.json.Wording;
-import tools.jackson.core.JsonGenerator;
-import tools.jackson.core.ObjectWriteContext;
-import tools.jackson.core.json.JsonFactory;
+import tools.jackson.databind.json.JsonMapper;
 
 /** Text of league.json as a person would write it: one field a line, one bot a line. */
 final class LeagueText {
 
-    private static final JsonFactory JSON = new JsonFactory();
     private static final Map<String, String> TEXTS = Map.of("--sandbox", "level", "--memory", "memory", "--file-size",
         "fileSize", LeagueSettings.HOLD, "hold");
     private static final Map<String, String> NUMBERS = Map.of("--processes", "processes", "--open-files", "openFiles");
@@ -102,10 +98,6 @@ final class LeagueText {
     }
 
     private static String text(String value) {
-        StringWriter out = new StringWriter();
-        try (JsonGenerator json = JSON.createGenerator(ObjectWriteContext.empty(), out)) {
-            json.writeString(value);
-        }
-        return out.toString();
+        return JsonMapper.shared().writeValueAsString(value);
     }
 }

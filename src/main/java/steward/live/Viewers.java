@@ -1,6 +1,7 @@
 package steward.live;
 
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
 
 /**
  * Count of a match's viewers: how many may follow at the same time, and how much they still have to receive.
@@ -66,13 +67,9 @@ final class Viewers {
         return await(() -> copies >= served, mostMs);
     }
 
-    private interface Condition {
-        boolean holds();
-    }
-
-    private boolean await(Condition condition, long mostMs) throws InterruptedException {
+    private boolean await(BooleanSupplier condition, long mostMs) throws InterruptedException {
         long end = System.nanoTime() + TimeUnit.MILLISECONDS.toNanos(mostMs);
-        while (!condition.holds()) {
+        while (!condition.getAsBoolean()) {
             long leftMs = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
             if (leftMs <= 0) {
                 return false;

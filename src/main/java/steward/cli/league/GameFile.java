@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import steward.cli.streams.Json;
 import steward.files.InputException;
@@ -59,13 +60,8 @@ final class GameFile {
     /** A game of a file. */
     record Found(String place, Map<String, String> game, List<Map<String, String>> seats) { }
 
-    /** Takes the games of a file, one by one. */
-    interface Taker {
-        void take(Found game);
-    }
-
     /** Reads JSON Lines. */
-    static void readJson(BufferedReader in, String source, Taker taker) throws IOException {
+    static void readJson(BufferedReader in, String source, Consumer<Found> taker) throws IOException {
         eachLine(in, source, (line, place) -> {
             Map<String, Object> object;
             try {
@@ -79,7 +75,7 @@ final class GameFile {
             }
             Map<String, Object> fields = new LinkedHashMap<>(object);
             fields.remove(SEATS);
-            taker.take(new Found(place, texts(place, fields), seats));
+            taker.accept(new Found(place, texts(place, fields), seats));
         });
     }
 

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
@@ -71,7 +72,7 @@ final class ImportGamesCommand extends ProgramCommand {
         return ExitStatus.DONE;
     }
 
-    private static void read(Path path, GameFile.Taker taker) {
+    private static void read(Path path, Consumer<GameFile.Found> taker) {
         try (BufferedReader in = Files.newBufferedReader(path, StandardCharsets.UTF_8)) {
             GameFile.readJson(in, path.toString(), taker);
         } catch (CharacterCodingException problem) {

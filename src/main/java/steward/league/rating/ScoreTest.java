@@ -2,6 +2,7 @@ package steward.league.rating;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 
 /**
@@ -81,21 +82,16 @@ public final class ScoreTest {
         return contrast;
     }
 
-    /** Tells how many standard deviations the games ask for away from a value. */
-    private interface Asked {
-        double deviations(double value);
-    }
-
     /**
      * Finds the value below the estimate, or above if that is negative, from which the games just ask
      * {@link Difference#Z} standard deviations away. It may be of the other sign: then even the order is open. Farther
      * than {@link #FARTHEST} it is left out.
      */
-    private static Difference bounded(Difference found, Asked asked) {
+    private static Difference bounded(Difference found, DoubleUnaryOperator asked) {
         double sign = Math.signum(found.value());
         double outer = found.value();
         double inner = 0;
-        while (asked.deviations(inner) * sign < Difference.Z) {
+        while (asked.applyAsDouble(inner) * sign < Difference.Z) {
             if (sign == 0 || Math.abs(inner) >= FARTHEST) {
                 return found.unknown();
             }
@@ -104,7 +100,7 @@ public final class ScoreTest {
         }
         while (Math.abs(outer - inner) > CLOSE) {
             double middle = (inner + outer) / 2;
-            if (asked.deviations(middle) * sign >= Difference.Z) {
+            if (asked.applyAsDouble(middle) * sign >= Difference.Z) {
                 inner = middle;
             } else {
                 outer = middle;

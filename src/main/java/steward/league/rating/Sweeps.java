@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.ObjLongConsumer;
 
 /**
  * Bounds on the rating difference between two {@link Components} if the upper one took every point. A seed in which it
@@ -43,12 +44,8 @@ final class Sweeps {
         });
     }
 
-    /** Takes the upper and lower bots that met in some equal seeds, and their number. */
-    private interface Seeds {
-        void of(List<List<Integer>> pairs, long count);
-    }
-
-    private void eachSeed(Seeds seeds) {
+    /** @param seeds takes the upper and lower bots that met in some equal seeds, and their number */
+    private void eachSeed(ObjLongConsumer<List<List<Integer>>> seeds) {
         for (Stratum stratum : fit.strata()) {
             for (int p = 0; p < stratum.size; p++) {
                 List<List<Integer>> pairs = new ArrayList<>();
@@ -60,7 +57,7 @@ final class Sweeps {
                     }
                 }
                 if (!pairs.isEmpty()) {
-                    seeds.of(pairs, stratum.counts[p]);
+                    seeds.accept(pairs, stratum.counts[p]);
                 }
             }
         }

@@ -1,6 +1,7 @@
 package steward.league.sequential;
 
 import java.util.Arrays;
+import java.util.function.DoubleBinaryOperator;
 import java.util.function.DoubleUnaryOperator;
 import steward.league.rating.Normal;
 
@@ -35,15 +36,6 @@ public record StoppedRange(double low, double elo, double high, double scoreLow,
 
     /** Chance of a cell; from a smaller one the way back to the hypotheses is lost in rounding. */
     private static final double RAREST = 1e-9;
-
-    /** Probability of a worse outcome. */
-    private interface Worse {
-        /**
-         * @param drift in a unit of time
-         * @param time  in which the variance is 1 a unit
-         */
-        double of(double drift, double time);
-    }
 
     /**
      * Brownian motion of the logarithm of the ratio at a true difference. If scores came as is most likely with it,
@@ -87,10 +79,11 @@ public record StoppedRange(double low, double elo, double high, double scoreLow,
         }
 
         /** Returns the probability of a worse outcome by the difference, after so many observations. */
-        DoubleUnaryOperator worse(double observations, Worse worse) {
+        DoubleUnaryOperator worse(double observations, DoubleBinaryOperator worse) {
             return elo -> {
                 double[] moments = moments(elo);
-                return worse.of((drift(moments) - (zero + one) / 2) / (one - zero), observations * moments[1]);
+                return worse.applyAsDouble((drift(moments) - (zero + one) / 2) / (one - zero),
+                    observations * moments[1]);
             };
         }
 
@@ -114,9 +107,9 @@ public record StoppedRange(double low, double elo, double high, double scoreLow,
         boolean isStopped = Math.abs(ratio - barrier) <= Math.max(BATCH * Math.abs(barrier), test.greatestStep(scores));
         Motion motion = new Motion(test, scores, state == Gsprt.State.OPEN || isStopped);
         double reached = scores.observations() * (state == Gsprt.State.OPEN || !isStopped ? 1 : barrier / ratio);
-        Worse notWon = (drift, time) -> 1 - exit.above(drift, time);
-        Worse fixed = (drift, time) -> Normal.below((ratio - drift * time) / Math.sqrt(time));
-        Worse worse = state == Gsprt.State.OPEN ? (drift, time) -> exit.worse(drift, time, ratio)
+        DoubleBinaryOperator notWon = (drift, time) -> 1 - exit.above(drift, time);
+        DoubleBinaryOperator fixed = (drift, time) -> Normal.below((ratio - drift * time) / Math.sqrt(time));
+        DoubleBinaryOperator worse = state == Gsprt.State.OPEN ? (drift, time) -> exit.worse(drift, time, ratio)
             : !isStopped ? fixed : state == Gsprt.State.H1 ? notWon : exit::below;
         DoubleUnaryOperator found = motion.worse(reached, worse);
         double low = Math.min(root(found, 1 - test.alpha()),
