@@ -73,7 +73,8 @@ final class GuestGameImport implements RecordingImport, ImportedMatch.Frames {
         views = types.viewWriter(setup.scene().gameId()).orElseThrow();
         double[] scores = frames.scores(players);
         int[] ranks = frames.ranks(players);
-        end = new ServerRecording.End(0, List.of(), ServerGameImport.words(IntStream.of(ranks).mapToObj(Integer::toString)),
+        end = new ServerRecording.End(0, List.of(),
+            ServerGameImport.words(IntStream.of(ranks).mapToObj(Integer::toString)),
             ServerGameImport.words(DoubleStream.of(scores).mapToObj(Double::toString)),
             input.lines().map(String::strip).filter(line -> !line.isEmpty()).sorted()
                 .collect(Collectors.joining("\n")), result.path("metadata").asString(null));
