@@ -21,8 +21,8 @@ import steward.league.store.GameStore.Version;
 /** {@code steward league export}: writes the games for other programs. */
 @Command(name = "export", description = "Writes the games of a league as CSV or JSON Lines.",
     footer = {
-        "", "CSV has a line for each seat, JSON Lines one for each game. 'league import'",
-        "reads both. They contain no replays.",
+        "", "CSV has a line for each seat, JSON Lines one for each game; 'league import'",
+        "reads the latter. Neither contains replays.",
         "", "Example:",
         "  steward league export night --out games.csv"})
 final class ExportCommand extends ProgramCommand {
