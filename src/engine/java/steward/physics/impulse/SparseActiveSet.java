@@ -7,10 +7,7 @@ import steward.physics.Bodies;
  * Block pivoting (J. J. Judice, F. M. Pires, "A block principal pivoting algorithm for large-scale strictly monotone
  * linear complementarity problems", Computers & Operations Research 21, 1994): solve the set, then let all contacts
  * leave whose impulse is negative and all enter that approach. It takes a few steps, or does not end. So once it fails
- * to lower the number of wrong contacts, each step has to lessen j A j / 2 - u j: along the edges where impulses become
- * 0, with the slope of contacts that carry or approach scaled by the factor (D. P. Bertsekas, "Projected Newton methods
- * for optimization problems with simple constraints", SIAM Journal on Control and Optimization 20, 1982), or up to the
- * first edge, as in non-negative least squares. That ends, since each set has one minimum.
+ * to lower the number of wrong contacts, an interior point method finds the set, nearer to the minimum each time.
  *
  * With dependent normals A is only semidefinite. So a step solves with A + r D, D the diagonal of A: the minimum of
  * j A j / 2 - u j + r (j - c) D (j - c) / 2 for the impulses c before the step. Repeated, that goes on to a minimum
@@ -25,16 +22,13 @@ import steward.physics.Bodies;
  */
 final class SparseActiveSet {
 
-    /** Exchanges of all contacts at once that may fail to lower the number of wrong ones, before one at a time. */
+    /** Exchanges of all contacts that may fail to lower the number of wrong ones. */
     private static final int CHANCES = 4;
-    /** Share of the diagonal that is added on the way down: sets whose contacts contradict each other stay near. */
-    private static final double COARSE = 0x1p-14;
-    /** Steps on the way down between one share and the other: large ratios of masses want the finer one. */
-    private static final int TURNS = 64;
-    /** Bound on steps, besides four for each contact. */
-    private static final int MOST_STEPS = 200;
-    /** The least share of a step along edges. */
-    private static final double LEAST_SHARE = 0.25;
+    /** Bound on steps, some six times as many as were seen. */
+    private static final int MOST_STEPS = 400;
+    /** Ratio of products at which the interior point method stops for the first time, and from one time to the next. */
+    private static final double NEAR = 1e-14;
+    private static final double NEARER = 1e-3;
     /** Speeds that remain in a set, as a share of the largest approach: rounding. */
     private static final double ROUNDING = 0x1p-48;
     /** Speeds that may remain as a share of the largest change of a velocity: rounding, where these cancel. */
@@ -44,11 +38,8 @@ final class SparseActiveSet {
 
     private final InelasticSystem system;
     private final SparseFactor factor = new SparseFactor();
+    private final InteriorPoint interior;
     private boolean[] active = new boolean[0];
-    /** Impulses before a step. */
-    private double[] start = new double[0];
-    /** Speeds that were left of approaches before a step. */
-    private double[] slope = new double[0];
     /** Right side, then the change of the impulses. */
     private double[] change = new double[0];
     /** Contacts that the factor knows; 0 for none. */
@@ -56,6 +47,7 @@ final class SparseActiveSet {
 
     SparseActiveSet(InelasticSystem system) {
         this.system = system;
+        interior = new InteriorPoint(system, factor);
     }
 
     /** Forgets all contacts. */
@@ -93,8 +85,6 @@ final class SparseActiveSet {
         if (active.length < system.size) {
             int capacity = Math.max(2 * system.size, 3 * bodies.capacity());
             active = Arrays.copyOf(active, capacity);
-            start = new double[capacity];
-            slope = new double[capacity];
             change = new double[capacity];
         }
         if (known < system.size) {
@@ -117,38 +107,31 @@ final class SparseActiveSet {
      */
     boolean solve(Bodies bodies, double tolerance) {
         begin(bodies);
-        double rounding = ROUNDING * largestApproach();
+        double speed = largestApproach();
+        double near = NEAR;
         double before = Double.POSITIVE_INFINITY;
         int fewest = Integer.MAX_VALUE;
         int chances = CHANCES;
         int slow = 0;
-        factor.regularize(SparseFactor.REGULAR);
-        for (int steps = 0; steps < MOST_STEPS + 4 * known; steps++) {
-            if (chances == 0 && steps % TURNS == 0) {
-                factor.regularize(steps / TURNS % 2 == 0 ? COARSE : SparseFactor.REGULAR);
+        for (int steps = 0; steps < MOST_STEPS; steps++) {
+            if (chances == 0) {
+                interior.find(bodies, active, speed, near);
+                near *= NEARER;
+                fewest = Integer.MAX_VALUE;
+                chances = CHANCES;
             }
             solveSet(bodies);
-            int wrong = 1;
-            if (chances > 0) {
-                go(bodies, 1, false);
-                wrong = exchange(bodies, tolerance);
-                chances = wrong == 0 ? chances : wrong < fewest ? CHANCES : chances - 1;
-                fewest = Math.min(fewest, wrong);
-                if (chances == 0) {
-                    exchange(bodies, tolerance);
-                    factor.regularize(COARSE);
-                }
-            } else if (descend(bodies)) {
-                wrong = exchange(bodies, tolerance);
-            }
+            int wrong = exchange(bodies, tolerance);
+            chances = wrong == 0 ? chances : wrong < fewest ? CHANCES : chances - 1;
+            fewest = Math.min(fewest, wrong);
             if (wrong > 0) {
                 continue;
             }
-            factor.regularize(SparseFactor.REGULAR);
             double left = mostLeft();
+            double exact = Math.max(tolerance, CHANGES * system.largestChange(bodies));
             slow += left > before / 2 ? 1 : 0;
-            if (left <= rounding || slow > SLOW || left <= tolerance && slow > 0) {
-                return left <= Math.max(tolerance, CHANGES * system.largestChange(bodies));
+            if (left <= ROUNDING * speed || slow > SLOW || left <= exact && slow > 0) {
+                return left <= exact;
             }
             before = left;
         }
@@ -163,70 +146,17 @@ final class SparseActiveSet {
         return largest;
     }
 
-    /** Computes the change of the impulses that leads to the solution of the set. */
+    /** Solves the set. */
     private void solveSet(Bodies bodies) {
         factor.factorize(bodies, active);
         for (int k = 0; k < known; k++) {
-            slope[k] = system.left(k);
-            change[k] = active[k] ? slope[k] : 0;
+            change[k] = active[k] ? system.left(k) : 0;
         }
         factor.solve(change);
-        System.arraycopy(system.impulse, 0, start, 0, known);
-    }
-
-    /**
-     * Goes a share of the way to the solution of the set from {@link #start}.
-     *
-     * @param along whether impulses that would become negative stay 0
-     * @return true if there was no such impulse
-     */
-    private boolean go(Bodies bodies, double share, boolean along) {
-        boolean straight = true;
         for (int k = 0; k < known; k++) {
-            double j = start[k] + share * change[k];
-            boolean edge = along && j < 0 && !system.held[k];
-            straight &= !edge;
-            system.impulse[k] = edge ? 0 : j;
+            system.impulse[k] += change[k];
         }
         system.move(bodies);
-        return straight;
-    }
-
-    /**
-     * Goes towards the solution of the set, along the edges where impulses would become negative, if that is better; if
-     * not, up to the first edge, and what would become negative there leaves the set.
-     *
-     * @return true in the first case
-     */
-    private boolean descend(Bodies bodies) {
-        for (double share = 1; share >= LEAST_SHARE; share /= 2) {
-            if (go(bodies, share, true) || gain() > 0) {
-                return true;
-            }
-        }
-        double share = 1;
-        for (int k = 0; k < known; k++) {
-            if (change[k] < 0 && !system.held[k]) {
-                share = Math.min(share, start[k] / -change[k]);
-            }
-        }
-        go(bodies, share, true);
-        for (int k = 0; k < known; k++) {
-            if (change[k] < 0 && !system.held[k] && start[k] <= share * -change[k]) {
-                system.impulse[k] = 0;
-                set(k, false);
-            }
-        }
-        return false;
-    }
-
-    /** By how much a step lessens j A j / 2 - u j: that is the mean of both slopes along it. */
-    private double gain() {
-        double gain = 0;
-        for (int k = 0; k < known; k++) {
-            gain += (system.impulse[k] - start[k]) * (slope[k] + system.left(k)) / 2;
-        }
-        return gain;
     }
 
     /** Lets all contacts enter or leave that are wrong in the set or outside. @return how many they are */

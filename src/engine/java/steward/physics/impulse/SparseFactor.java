@@ -4,8 +4,8 @@ import java.util.Arrays;
 import steward.physics.Bodies;
 
 /*
- * L D L' of the matrix P (A_SS + r diag(A)) P', where S are the contacts of the set and P the order of elimination; a
- * contact outside has the row of the identity. Row by row, as T. A. Davis, "Algorithm 849: a concise sparse Cholesky
+ * L D L' of the matrix P (A_SS + r diag(A) + B) P', where S are the contacts of the set, B is a diagonal that is given,
+ * and P the order of elimination; a contact outside has the row of the identity. Row by row, as T. A. Davis, "Algorithm 849: a concise sparse Cholesky
  * factorization package", ACM Transactions on Mathematical Software 31, 2005: row i of L solves a triangular system
  * with the rows before it, and its entries are those on the paths of the elimination tree from the entries of A in row
  * i up to i. So the entries are the same for each set, and a contact that enters, leaves or turns changes only the rows
@@ -14,17 +14,16 @@ import steward.physics.Bodies;
 
 /**
  * Cholesky factor of the couplings of a system's contacts, in the order of {@link ContactOrder}, for sets of them. The
- * share {@value #REGULAR}, or another, is added to the diagonal, so that a factor exists for dependent normals, too.
+ * share {@value #REGULAR} is added to the diagonal, so that a factor exists for dependent normals, too.
  */
 final class SparseFactor {
 
     /** Far above the rounding of pivots, and so small that a solution is refined by nine digits at a time. */
-    static final double REGULAR = 0x1p-30;
+    private static final double REGULAR = 0x1p-30;
 
     /** Entries of a row of the factor for which there is room from the beginning. */
     private static final int USUAL = 16;
 
-    private double regular = REGULAR;
     private final ContactOrder order = new ContactOrder();
     private InelasticSystem system;
     private int size;
@@ -49,6 +48,8 @@ final class SparseFactor {
     private int[] columnRow = new int[0];
     private double[] value = new double[0];
     private double[] diagonal = new double[0];
+    /** Of a contact: is added to its diagonal, besides its share. */
+    private double[] added = new double[0];
     private double[] work = new double[0];
     private boolean[] stale = new boolean[0];
 
@@ -76,6 +77,7 @@ final class SparseFactor {
             factorStart = new int[capacity + 1];
             columnStart = new int[capacity + 1];
             diagonal = new double[capacity];
+            added = new double[capacity];
             work = new double[capacity];
             stale = new boolean[capacity];
             bodyContact = new int[2 * capacity];
@@ -177,11 +179,11 @@ final class SparseFactor {
         }
     }
 
-    /** Chooses the share that is added to the diagonal. */
-    void regularize(double share) {
-        if (share != regular) {
-            regular = share;
-            Arrays.fill(stale, 0, size, true);
+    /** Adds a number to the diagonal of a contact, instead of the one before. */
+    void add(int k, double number) {
+        if (added[k] != number) {
+            added[k] = number;
+            change(k);
         }
     }
 
@@ -210,7 +212,7 @@ final class SparseFactor {
                 int l = order.order[rowColumn[at]];
                 work[rowColumn[at]] = active[l] ? system.coupling(bodies, k, l) : 0;
             }
-            pivot = system.coupling(bodies, k, k) * (1 + regular);
+            pivot = system.coupling(bodies, k, k) * (1 + REGULAR) + added[k];
         }
         for (int at = factorStart[i]; at < factorStart[i + 1]; at++) {
             int j = factorColumn[at];
