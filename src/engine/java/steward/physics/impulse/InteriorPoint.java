@@ -10,9 +10,9 @@ import steward.physics.Bodies;
  *     A dj - dw = u - A j + w,   w dj + j dw = s m - j w - e,   so   (A + w / j) dj = u - A j + (s m - e) / j,
  *
  * twice with one factor: with s = 0 and e = 0 to see how far that leads, then with s the cube of the share of m that
- * this would leave, and with the products e = dj dw that it has neglected. It takes one step for about each digit of the
- * ratio of m to its beginning, whatever the number of contacts. Impulses of dependent contacts are shared out: where the
- * minimum allows it, all of them are positive, so the set has no doubtful contact.
+ * this would leave, and with the products e = dj dw that it has neglected. It takes one step for about each digit of
+ * the ratio of m to its beginning, whatever the number of contacts. Impulses of dependent contacts are shared out:
+ * where the minimum allows it, all of them are positive, so the set has no doubtful contact.
  */
 
 /**

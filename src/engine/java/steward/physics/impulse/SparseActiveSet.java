@@ -24,11 +24,12 @@ final class SparseActiveSet {
 
     /** Exchanges of all contacts that may fail to lower the number of wrong ones. */
     private static final int CHANCES = 4;
-    /** Bound on steps, some six times as many as were seen. */
+    /** Bound on steps; up to 42 were seen. */
     private static final int MOST_STEPS = 400;
-    /** Ratio of products at which the interior point method stops for the first time, and from one time to the next. */
-    private static final double NEAR = 1e-14;
+    /** Ratio of products at which the interior point method stops at first, from one time to the next, and at last. */
+    private static final double NEAR = 1e-12;
     private static final double NEARER = 1e-3;
+    private static final double NEAREST = 1e-26;
     /** Speeds that remain in a set, as a share of the largest approach: rounding. */
     private static final double ROUNDING = 0x1p-48;
     /** Speeds that may remain as a share of the largest change of a velocity: rounding, where these cancel. */
@@ -114,6 +115,9 @@ final class SparseActiveSet {
         int chances = CHANCES;
         int slow = 0;
         for (int steps = 0; steps < MOST_STEPS; steps++) {
+            if (chances == 0 && near < NEAREST) {
+                return false;
+            }
             if (chances == 0) {
                 interior.find(bodies, active, speed, near);
                 near *= NEARER;

@@ -4,12 +4,12 @@ import java.util.Arrays;
 import steward.physics.Bodies;
 
 /*
- * L D L' of the matrix P (A_SS + r diag(A) + B) P', where S are the contacts of the set, B is a diagonal that is given,
- * and P the order of elimination; a contact outside has the row of the identity. Row by row, as T. A. Davis, "Algorithm 849: a concise sparse Cholesky
- * factorization package", ACM Transactions on Mathematical Software 31, 2005: row i of L solves a triangular system
- * with the rows before it, and its entries are those on the paths of the elimination tree from the entries of A in row
- * i up to i. So the entries are the same for each set, and a contact that enters, leaves or turns changes only the rows
- * on its own path to the root.
+ * L D L' of the matrix P (A_SS + r diag(A) + B) P', where S are the contacts of the set, B is a given diagonal, and P
+ * the order of elimination; a contact outside has the row of the identity. Row by row, as T. A. Davis, "Algorithm 849:
+ * a concise sparse Cholesky factorization package", ACM Transactions on Mathematical Software 31, 2005: row i of L
+ * solves a triangular system with the rows before it, and its entries are those on the paths of the elimination tree
+ * from the entries of A in row i up to i. So the entries are the same for each set, and a contact that enters, leaves
+ * or turns changes only the rows on its own path to the root.
  */
 
 /**
