@@ -38,7 +38,7 @@ class InelasticSystemTest {
         }
     }
 
-    /** Seeds of heaps of each kind that block pivoting and descents from one edge to the next did not end with. */
+    /** Seeds of heaps, of one kind or another, that earlier ways did not end with. */
     private static final long[] LONG = {132, 195, 198, 740, 765};
     private static final int SIDE = 8;
     private static final int COUNT = SIDE * SIDE;
