@@ -62,6 +62,18 @@ class QueueAdvanceTest {
         assertTrue(impacts > 2000, impacts + " impacts");
     }
 
+    /** Discs that cover 75%: many pairs would meet only after one of them has met another. */
+    @ParameterizedTest
+    @Tag("slow")
+    @EnumSource(Arithmetic.class)
+    void denseDiscsHaveTheSameImpacts(Arithmetic arithmetic) {
+        for (long seed = 1; seed <= 3; seed++) {
+            Bodies bodies = Scenes.grid(new SplitMix64(seed), 9, SIDE, 0.49 * SIDE / 9, 0.05 * SIDE);
+            compare("dense, seed " + seed, Scenes.parts(ImpactLaw.PHYSICS, arithmetic, BOX), bodies, 2);
+        }
+        assertTrue(impacts > 1000, impacts + " impacts");
+    }
+
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
     void allKindsOfWallsRestitutionAndMinimumImpulse(long seed) {
