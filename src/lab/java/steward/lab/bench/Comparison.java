@@ -3,6 +3,7 @@ package steward.lab.bench;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import steward.lab.timing.TimedPlace;
 import steward.lab.timing.Timing;
 import steward.lab.timing.TimingEffort;
 import steward.lab.timing.TimingSamples;
@@ -18,7 +19,6 @@ import steward.numerics.Median;
  */
 public record Comparison(String section, String unit, List<Contender> contenders, Remark remark) {
 
-    private static final double NANOS = 1e9;
     /** A ratio whose rounds differ by more is not to be compared: tables are for differences beyond this. */
     private static final double COMPARABLE = 1.25;
     /** With fewer rounds ratios are not compared; of each so many the lowest and the highest do not count. */
@@ -56,7 +56,7 @@ public record Comparison(String section, String unit, List<Contender> contenders
 
     private void report(TimingSamples samples, int rounds, Consumer<Row> rows) {
         for (int k = 0; k < contenders.size(); k++) {
-            rows.accept(new Row(section, contenders.get(k).name(), unit, NANOS / samples.median(k),
+            rows.accept(new Row(section, contenders.get(k).name(), unit, TimedPlace.NANOS / samples.median(k),
                 contenders.size() == 1 ? Double.NaN : samples.ratio(0, k), samples.bytes(k), remark.of(samples, k))
                 .remark(samples.rounds() < rounds ? samples.rounds() + " of " + rounds + " rounds" : "")
                 .remark(k == 0 ? "" : caution(samples.ratios(0, k), rounds)));

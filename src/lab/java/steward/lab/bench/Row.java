@@ -1,5 +1,7 @@
 package steward.lab.bench;
 
+import steward.lab.timing.TimedPlace;
+
 /**
  * Row of the bench's table: one measured contender.
  *
@@ -11,11 +13,9 @@ package steward.lab.bench;
 public record Row(String section, String name, String unit, double perSecond, double ratio, double bytes,
                   String note) {
 
-    private static final double NANOS = 1e9;
-
     /** Nanoseconds per unit. */
     public double nanos() {
-        return NANOS / perSecond;
+        return TimedPlace.NANOS / perSecond;
     }
 
     /** Returns the row with a further remark, which may be empty. */

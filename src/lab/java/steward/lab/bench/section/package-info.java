@@ -1,2 +1,2 @@
-/** Sections of the bench: matches, frames, crowds, processes, start-up, verification, growth. */
+/** Sections of the bench: matches, verification, processes, start-up, tools of others, crowds, heaps. */
 package steward.lab.bench.section;

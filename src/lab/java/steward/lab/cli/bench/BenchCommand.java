@@ -72,10 +72,6 @@ public final class BenchCommand extends ProgramCommand {
         + "has cg-brutaltester.jar and csbref, a referee in Go.")
     private String tools;
 
-    @Option(names = "--sdk", paramLabel = "DIR", description = "Also measures referees made with CodinGame's SDK. "
-        + "DIR has its jars.")
-    private String sdk;
-
     @Option(names = "--out", paramLabel = "DIR", description = "Writes " + BenchFiles.CSV + " and " + BenchFiles.JSON
         + " into a folder, row by row, and in the end " + BenchFiles.PAGE + ".")
     private String out;
@@ -86,15 +82,13 @@ public final class BenchCommand extends ProgramCommand {
     @Mixin
     private final TableFolder tables = new TableFolder();
 
-    /** The parts that are measured only where their folder is named. */
+    /** The part that is measured only where its folder is named. */
     private static final String TOOLS = "tools";
-    private static final String REFEREES = "referees";
 
     /** The names of the parts. */
     static final class Parts implements Iterable<String> {
 
-        static final List<String> ALL = List.of("matches", "verify", "processes", "start", TOOLS, REFEREES, "crowds",
-            "heaps");
+        static final List<String> ALL = List.of("matches", "verify", "processes", "start", TOOLS, "crowds", "heaps");
 
         @Override
         public Iterator<String> iterator() {
@@ -107,8 +101,12 @@ public final class BenchCommand extends ProgramCommand {
         brief.exclusive("--long", full, "--quick", quick);
         tables.check(out);
         List<Section> sections = brief.chosen("--only", only, sections(), Section::name, ", ");
-        sections = where("--tools", tools, TOOLS, sections);
-        sections = where("--sdk", sdk, REFEREES, sections);
+        if (tools == null) {
+            brief.that(!only.contains(TOOLS), "--only " + TOOLS + ": expected --tools with it");
+            sections = sections.stream().filter(section -> !section.name().equals(TOOLS)).toList();
+        } else {
+            brief.that(Files.isDirectory(OutputFiles.path(tools)), "--tools: found no folder '" + tools + "'");
+        }
         if (out == null) {
             try (Interruption interruption = new Interruption(streams, () -> stopped("what was measured is above"))) {
                 int status = measure(sections, null);
@@ -130,16 +128,6 @@ public final class BenchCommand extends ProgramCommand {
         }
     }
 
-    /** Leaves a part out whose folder is not named; it is an error to ask for it by name. */
-    private List<Section> where(String option, String folder, String part, List<Section> sections) {
-        if (folder != null) {
-            brief.that(Files.isDirectory(OutputFiles.path(folder)), option + ": found no folder '" + folder + "'");
-            return sections;
-        }
-        brief.that(!only.contains(part), "--only " + part + ": expected " + option + " with it");
-        return sections.stream().filter(section -> !section.name().equals(part)).toList();
-    }
-
     private List<Section> sections() {
         bodies.forEach(count -> brief.range("--bodies", count, 1, MOST_BODIES));
         List<Integer> crowds = new ArrayList<>(!bodies.isEmpty() ? bodies : quick ? QUICK_BODIES : BODIES);
@@ -147,7 +135,7 @@ public final class BenchCommand extends ProgramCommand {
             crowds.add(MILLION);
         }
         try {
-            return BenchSuite.all(crowds, Path.of(tools == null ? "" : tools), Path.of(sdk == null ? "" : sdk));
+            return BenchSuite.all(crowds, Path.of(tools == null ? "" : tools));
         } catch (IllegalArgumentException problem) {
             throw new InputException("--bodies: " + problem.getMessage());
         }

@@ -12,7 +12,6 @@ import steward.lab.bench.section.FixedAnswerBot;
 import steward.lab.bench.section.MatchFixture;
 import steward.lab.bench.section.MatchSection;
 import steward.lab.bench.section.ProcessSection;
-import steward.lab.bench.section.RefereeSection;
 import steward.lab.bench.section.StartupSection;
 import steward.lab.bench.section.ToolSection;
 import steward.lab.bench.section.VerifySection;
@@ -43,16 +42,14 @@ final class BenchSuite {
      *
      * @param bodies the numbers of bodies of the crowds
      * @param tools  a folder of tools of others
-     * @param sdk    a folder with the jars of CodinGame's SDK
      */
-    static List<Section> all(List<Integer> bodies, Path tools, Path sdk) {
+    static List<Section> all(List<Integer> bodies, Path tools) {
         MatchFixture fixture = fixture();
         return List.of(new MatchSection(fixture), new VerifySection(fixture), new ProcessSection(fixture,
                 scene(TURNS_LEFT, TURNS_LEFT.replace("100", LONG), MAXIMUM, MAXIMUM.replace("500", LONG)),
                 Integer.parseInt(LONG), scene(MAXIMUM, MAXIMUM.replace("500", "1")),
                 List.of("sh", "-c", "while read -r line; do echo '" + ANSWER + "'; done")),
-            new StartupSection(fixture), new ToolSection(fixture, tools), new RefereeSection(fixture, sdk),
-            new CrowdSection(bodies), new HeapSection());
+            new StartupSection(fixture), new ToolSection(fixture, tools), new CrowdSection(bodies), new HeapSection());
     }
 
     static MatchFixture fixture() {

@@ -86,6 +86,6 @@ class BenchCommandTest {
     @Test
     void theNamesThatAreCompletedAreThoseOfTheParts() {
         assertEquals(BenchCommand.Parts.ALL,
-            BenchSuite.all(List.of(1), folder, folder).stream().map(Section::name).toList());
+            BenchSuite.all(List.of(1), folder).stream().map(Section::name).toList());
     }
 }
