@@ -32,6 +32,32 @@ class MotionTest {
         assertEquals(rounded == 0 ? 0.0 : -rounded, Motion.roundHalfAway(-value), "never -0.0");
     }
 
+    /** floor(x + 0.5), the sum being a double: so 0.49999999999999994 becomes 1; never -0.0. */
+    @ParameterizedTest
+    @CsvSource({"0.49999999999999994, 1", "0.5, 1", "1.5, 2", "2.5, 3", "-0.5, 0", "-1.5, -1", "-2.5, -2", "-0.0, 0",
+        "0, 0", "-0.49999999999999994, 0", "-0.25, 0", "0.4999, 0", "0x1p52, 0x1p52",
+        "2251799813685248.5, 2251799813685249", "-2251799813685248.5, -2251799813685248",
+        "0x1p53, 0x1p53", "15999.5, 16000", "-0x1p-1074, 0"})
+    void halvesAreRoundedUp(String value, String rounded) {
+        Bodies bodies = new Bodies(1);
+        bodies.add(Double.parseDouble(value), Double.parseDouble(value), 1, 1);
+        new Motion(false, true, true).endTurn(bodies);
+        assertEquals(Double.parseDouble(rounded), bodies.x[0]);
+        assertEquals(Double.parseDouble(rounded), bodies.y[0]);
+    }
+
+    /** Toward zero, never to -0.0. */
+    @ParameterizedTest
+    @CsvSource({"-0.0, 0", "0, 0", "0.9999999999999999, 0", "-0.9999999999999999, 0", "1, 1", "-1, -1",
+        "1.9999999999999998, 1", "-1.9999999999999998, -1", "-4.9E-324, 0", "4.9E-324, 0",
+        "4503599627370497, 4503599627370497", "-123.7, -123"})
+    void speedsAreCut(double value, double cut) {
+        Bodies bodies = one(0, value, 0);
+        new Motion(false, true, true).endTurn(bodies);
+        assertEquals(cut, bodies.vx[0]);
+        assertEquals(cut == 0 ? 0.0 : -cut, bodies.vy[0]);
+    }
+
     @ParameterizedTest
     @CsvSource({"0.9999, 0", "0.999991, 1", "1.000009, 1", "1.5, 1", "-0.5, 0", "-1.999995, -2", "-1.99, -1", "7, 7"})
     void truncationSnapsToTheWholeNumberNextToIt(double value, double truncated) {

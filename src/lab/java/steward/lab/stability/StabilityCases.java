@@ -13,14 +13,12 @@ import steward.lab.stability.crowds.InelasticCollapseCase;
 import steward.lab.stability.crowds.LatticeCase;
 import steward.lab.stability.crowds.LongRunCase;
 import steward.lab.stability.crowds.MirrorCase;
-import steward.lab.stability.crowds.NewtonsCradleCase;
 import steward.lab.stability.crowds.OfficialHeapsCase;
 import steward.lab.stability.crowds.PilesCase;
 import steward.lab.stability.crowds.RandomCradlesCase;
 import steward.lab.stability.crowds.RestCase;
 import steward.lab.stability.crowds.SimultaneousCase;
 import steward.lab.stability.crowds.TiesCase;
-import steward.lab.stability.crowds.TimeReversalCase;
 import steward.lab.stability.crowds.TruePathCase;
 import steward.lab.stability.pairs.ContactCase;
 import steward.lab.stability.pairs.CornerCase;
@@ -32,9 +30,7 @@ import steward.lab.stability.pairs.MassesCase;
 import steward.lab.stability.pairs.NearAndFarCase;
 import steward.lab.stability.pairs.OfficialEdgesCase;
 import steward.lab.stability.pairs.PiBlocksCase;
-import steward.lab.stability.pairs.RadiusRatioCase;
 import steward.lab.stability.pairs.RandomPairsCase;
-import steward.lab.stability.pairs.RoundingCase;
 import steward.lab.stability.pairs.SlidingCase;
 import steward.lab.trial.StabilityCase;
 
@@ -53,12 +49,10 @@ public final class StabilityCases {
             new MassesCase(),
             new ExtremeSpeedsCase(),
             new BulletCase(),
-            new RadiusRatioCase(),
             new LateTimesCase(),
             new EndOfTurnCase(),
             new CornerCase(),
             new SlidingCase(),
-            new NewtonsCradleCase(),
             new RandomCradlesCase(),
             new MirrorCase(),
             new RestCase(),
@@ -75,7 +69,6 @@ public final class StabilityCases {
             new OfficialHeapsCase(),
             new OfficialEdgesCase(),
             new DensePackingCase(),
-            new TimeReversalCase(),
             new LongRunCase(10, 5e-14),
             new LongRunCase(100, 1e-14),
             new LongRunCase(1000, 1e-15),
@@ -84,7 +77,6 @@ public final class StabilityCases {
             new CrowdCase(10_000, 0.1, 100_000_000, crowdImpacts),
             new CrowdCase(1000, 0.8, 100_000_000, crowdImpacts),
             new TruePathCase(),
-            new RoundingCase(),
             new RandomPairsCase(200),
             new RandomPairsCase(900));
     }

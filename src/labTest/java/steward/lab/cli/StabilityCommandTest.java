@@ -41,8 +41,8 @@ class StabilityCommandTest {
 
     @Test
     void theTableSaysWhatWasDemandedAndSeen() {
-        Cli cli = stability("--case", "rounding", "--case", "Newton's cradle").done();
-        assertTrue(cli.out().startsWith("Newton's cradle\n  demanded "), cli.out());
+        Cli cli = stability("--case", "mirror images", "--case", "bullet").done();
+        assertTrue(cli.out().startsWith("bullet\n  demanded "), cli.out());
         for (Rung rung : Rung.all()) {
             assertEquals(2, cli.out().lines().filter(line -> line.startsWith("  " + rung.name() + " ")).count());
         }
@@ -93,8 +93,8 @@ class StabilityCommandTest {
 
     @Test
     void aTerminalSeesHowFarItIs() {
-        Cli cli = Cli.run(true, "stability", "--quick", "--case", "rounding");
-        assertTrue(cli.err().contains("1 of " + Rung.all().size() + ": rounding, "), cli.err());
+        Cli cli = Cli.run(true, "stability", "--quick", "--case", "mirror images");
+        assertTrue(cli.err().contains("1 of " + Rung.all().size() + ": mirror images, "), cli.err());
     }
 
     private static Cli golden;
@@ -111,7 +111,7 @@ class StabilityCommandTest {
     @Test
     @Tag("slow")
     void aLongRunSaysBeforehandHowLongItTakes() {
-        assertFalse(Cli.run(true, "stability", "--quick", "--case", "rounding").err().contains("This takes"));
+        assertFalse(Cli.run(true, "stability", "--quick", "--case", "mirror images").err().contains("This takes"));
         Cli golden = golden();
         assertTrue(golden.err().startsWith("This takes about "), golden.err());
         assertTrue(golden.err().contains("golden"), golden.err());
@@ -120,7 +120,7 @@ class StabilityCommandTest {
     @Test
     void theFilesHoldTheTable() throws IOException {
         Path out = folder.resolve("results");
-        assertEquals(ExitStatus.DONE, stability("--case", "rounding", "--out", out.toString()).status());
+        assertEquals(ExitStatus.DONE, stability("--case", "mirror images", "--out", out.toString()).status());
         List<String> csv = Files.readAllLines(out.resolve("stability.csv"));
         assertEquals("case,rung,verdict,seconds,seen,demand,length,date,version,machine", csv.get(0));
         assertTrue(csv.get(1).contains(",small,\"20") && csv.get(1).contains("JDK "), csv.get(1));
@@ -129,9 +129,9 @@ class StabilityCommandTest {
         assertEquals("small", json.get("size").asString());
         assertEquals(Rung.all().size(), json.get("rows").size());
         assertEquals("holds", json.get("rows").get(0).get("verdict").asString());
-        stability("--case", "rounding", "--out", out.toString()).assertRefused("exists already, and is kept");
+        stability("--case", "mirror images", "--out", out.toString()).assertRefused("exists already, and is kept");
         assertEquals(ExitStatus.DONE,
-            stability("--case", "rounding", "--out", out.toString(), "--overwrite").status());
+            stability("--case", "mirror images", "--out", out.toString(), "--overwrite").status());
     }
 
     /** An interrupted run leaves the rows that were measured, in files that are whole; the last one has no end. */
@@ -140,7 +140,7 @@ class StabilityCommandTest {
     void whatWasMeasuredIsKept() throws IOException, InterruptedException {
         Path out = folder.resolve("results");
         Path errors = folder.resolve("errors");
-        Process run = child(List.of(), "stability", "--quick", "--case", "Newton's cradle", "--case",
+        Process run = child(List.of(), "stability", "--quick", "--case", "bullet", "--case",
             "crowd of 100, 10%", "--impacts", "1000000000000", "--out", out.toString())
             .redirectError(errors.toFile()).redirectOutput(folder.resolve("table").toFile()).start();
         try {
@@ -167,7 +167,7 @@ class StabilityCommandTest {
     @Tag("process")
     @Tag("campaign")
     void aTableIsTheSameWithoutFusedMultiplyAdd() throws IOException, InterruptedException {
-        String[] call = {"stability", "--quick", "--case", "rounding", "--case", "Newton's cradle"};
+        String[] call = {"stability", "--quick", "--case", "mirror images", "--case", "bullet"};
         assertSame(Cli.run(call), List.of("-XX:-UseFMA", "-XX:TieredStopAtLevel=1"), call);
     }
 

@@ -98,15 +98,15 @@ class PublishedStabilityTest {
     @Tag("slow")
     void thePictureShowsEveryRungAndThePageItsRange() throws IOException {
         List<StabilityRow> rows = List.of(path("step/1", 0, 0), path("double", 40, 20), path("exact", 41, 19),
-            new StabilityRow("rounding", "a | b", "double", Finding.demanded(false, "1 | 2"), 1));
+            new StabilityRow("sliding", "a | b", "double", Finding.demanded(false, "1 | 2"), 1));
         TruePathPlot.write(rows, folder);
         BufferedImage picture = ImageIO.read(folder.resolve(TruePathPlot.PNG).toFile());
         assertTrue(picture.getWidth() > 1000, "readable: " + picture.getWidth());
         assertTrue(Files.size(folder.resolve(TruePathPlot.DARK_PNG)) > 0);
         String page = StabilityPage.text(RUN, rows);
         assertTrue(page.contains("true for 19 to 41 impacts, whatever the arithmetic; with steps not for one."), page);
-        assertTrue(page.contains("| [rounding](#rounding) | The rounding of official scenes is right at its edges. "
-            + "| **fails** |  |"), page);
+        assertTrue(page.contains("| [sliding](#sliding) | A body slides along a round wall for a whole turn, and keeps "
+            + "its speed. | **fails** |  |"), page);
         assertTrue(page.contains("\n| double | **fails** | 1 \\| 2 |\n"), page);
         assertTrue(page.contains("Of 1 demand 0 are met and 1 is not, in a run of normal length."), page);
         assertTrue(page.contains("Written by `steward stability` 1.2.3 on 2030-01-02: a machine."), page);

@@ -118,8 +118,7 @@ public final class DensePackingCase extends StabilityCase {
 
     /** The bodies of the first impacts, in order. */
     private static List<Integer> first(Rung rung, ImpactLaw law, Bodies start, Wall[] box) {
-        Bodies discs = new Bodies(start.capacity());
-        discs.copyFrom(start);
+        Bodies discs = start.copy();
         List<Integer> pairs = new ArrayList<>();
         rung.advance(law, box).turn(discs, new Probe() {
             @Override

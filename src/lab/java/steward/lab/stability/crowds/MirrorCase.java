@@ -91,8 +91,7 @@ public final class MirrorCase extends StabilityCase {
     }
 
     private static Bodies copy(Bodies from, double mx, double my) {
-        Bodies bodies = new Bodies(from.capacity());
-        bodies.copyFrom(from);
+        Bodies bodies = from.copy();
         for (int k = 0; k < from.size(); k++) {
             bodies.setPosition(k, mx * from.x[k], my * from.y[k]);
             bodies.setVelocity(k, mx * from.vx[k], my * from.vy[k]);

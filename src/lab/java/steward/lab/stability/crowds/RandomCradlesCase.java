@@ -47,8 +47,7 @@ public final class RandomCradlesCase extends StabilityCase {
                 Bodies bodies = row(random, length);
                 boolean fine = true;
                 for (Advance advance : advances) {
-                    Bodies copy = new Bodies(length);
-                    copy.copyFrom(bodies);
+                    Bodies copy = bodies.copy();
                     Probe probe = new Probe();
                     advance.turn(copy, probe);
                     most = Math.max(most, probe.impacts);

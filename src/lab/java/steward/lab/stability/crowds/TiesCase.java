@@ -44,8 +44,7 @@ public final class TiesCase extends StabilityCase {
         for (int n = 0; n < worlds; n++) {
             Wall[] walls = random.nextInt(2) == 0 ? Wall.box(640, 640, 1) : new Wall[0];
             Bodies bodies = world(random);
-            Bodies copy = new Bodies(bodies.capacity());
-            copy.copyFrom(bodies);
+            Bodies copy = bodies.copy();
             ImpactLaw law = random.nextInt(3) == 0 ? SOFT : ImpactLaw.PHYSICS;
             play(rung.advance(law, walls), bodies, one);
             play(rung.crowdAdvance(law, walls), copy, other);
