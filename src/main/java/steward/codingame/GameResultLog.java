@@ -18,6 +18,7 @@ import steward.json.JsonObject;
 import steward.match.MatchListener;
 import steward.match.MatchResult;
 import steward.match.Turn;
+import steward.report.Fields;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.JsonParser;
@@ -132,61 +133,29 @@ public final class GameResultLog implements MatchListener {
      * @param file is closed
      */
     public void write(OutputStream file, String scene, long seed, MatchResult result) {
+        Fields fields = Fields.of(ERRORS, streams(errors), OUTPUTS, streams(outputs), "summaries", summaries.entries,
+            "views", views.entries, "scores", perPlayer(GameResultScores.of(result)), "uinput", List.of("seed=" + seed),
+            "metadata", JsonObject.text(Fields.of("scene", scene, "turns", result.turns(), "ending",
+                result.ending())::write),
+            "tooltips", Fields.each(tooltips, each -> Fields.of("text", each.text(), "event", each.turn())),
+            "ids", perPlayer(IntStream.range(0, in.length).toArray()),
+            "agents", Fields.each(result.players().size(), player -> Fields.of("index", player,
+                "name", result.players().get(player).name())));
         try (JsonGenerator out = JsonNumbers.FACTORY.createGenerator(ObjectWriteContext.empty(), file)) {
-            out.writeStartObject();
-            writeStreams(out, ERRORS, errors);
-            writeStreams(out, OUTPUTS, outputs);
-            summaries.write(out, "summaries");
-            views.write(out, "views");
-            writePerPlayer(out, "scores", GameResultScores.of(result));
-            out.writeArrayPropertyStart("uinput");
-            out.writeString("seed=" + seed);
-            out.writeEndArray();
-            out.writeStringProperty("metadata", metadata(scene, result));
-            writeTooltips(out);
-            writePerPlayer(out, "ids", IntStream.range(0, in.length).toArray());
-            writeAgents(out, result);
-            out.writeEndObject();
+            Fields.write(out, fields);
         }
     }
 
-    private void writeStreams(JsonGenerator out, String name, List<Texts> players) {
-        out.writeObjectPropertyStart(name);
-        nothing.write(out, REFEREE);
-        for (int player = 0; player < players.size(); player++) {
-            players.get(player).write(out, Integer.toString(player));
-        }
-        out.writeEndObject();
+    private Fields streams(List<Texts> players) {
+        Fields streams = Fields.of(REFEREE, nothing.entries);
+        IntStream.range(0, players.size()).forEach(k -> streams.with(Integer.toString(k), players.get(k).entries));
+        return streams;
     }
 
-    private static void writePerPlayer(JsonGenerator out, String name, int[] numbers) {
-        out.writeObjectPropertyStart(name);
-        for (int player = 0; player < numbers.length; player++) {
-            out.writeNumberProperty(Integer.toString(player), numbers[player]);
-        }
-        out.writeEndObject();
-    }
-
-    private static String metadata(String scene, MatchResult result) {
-        return JsonObject.text(out -> {
-            out.writeStringProperty("scene", scene);
-            out.writeNumberProperty("turns", result.turns());
-            out.writeStringProperty("ending", result.ending());
-        });
-    }
-
-    private void writeTooltips(JsonGenerator out) {
-        JsonObject.writeAll(out, "tooltips", tooltips, tooltip -> {
-            out.writeStringProperty("text", tooltip.text());
-            out.writeNumberProperty("event", tooltip.turn());
-        });
-    }
-
-    private static void writeAgents(JsonGenerator out, MatchResult result) {
-        JsonObject.writeAll(out, "agents", result.players().size(), player -> {
-            out.writeNumberProperty("index", player);
-            out.writeStringProperty("name", result.players().get(player).name());
-        });
+    private static Fields perPlayer(int... numbers) {
+        Fields players = Fields.of();
+        IntStream.range(0, numbers.length).forEach(k -> players.with(Integer.toString(k), numbers[k]));
+        return players;
     }
 
     /** One list of texts, bounded as a whole. */
@@ -203,10 +172,6 @@ public final class GameResultLog implements MatchListener {
             }
             entries.add(text);
             left -= text.length();
-        }
-
-        void write(JsonGenerator out, String name) {
-            JsonObject.writeTexts(out, name, entries);
         }
     }
 }

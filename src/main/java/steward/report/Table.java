@@ -18,7 +18,7 @@ import steward.text.TextFormat;
 public final class Table<R> {
 
     private final List<String> names = new ArrayList<>();
-    private final List<String> namesWithUnits = new ArrayList<>();
+    private final List<String> heads = new ArrayList<>();
     private final List<Function<R, ?>> values = new ArrayList<>();
     private final List<Shown<R>> shown = new ArrayList<>();
 
@@ -39,7 +39,7 @@ public final class Table<R> {
      */
     public Table<R> value(String name, Function<R, ?> value) {
         names.add(name.replaceFirst(" \\[.*", ""));
-        namesWithUnits.add(name);
+        heads.add(name);
         values.add(value);
         return this;
     }
@@ -110,36 +110,33 @@ public final class Table<R> {
         return Fields.each(rows, this::fields);
     }
 
-    /** The names in CSV. */
-    public String[] heads() {
-        return namesWithUnits.toArray(new String[0]);
+    /** The rows as CSV below the names, see {@link #csvRows}. */
+    public String csv(Collection<R> rows, Function<Double, String> number, boolean quoted) {
+        return new CsvRow().words(heads.toArray(new String[0])).line() + csvRows(rows, number, quoted);
     }
 
     /**
-     * The values of a row as CSV; what is null or NaN is empty.
+     * The rows as CSV; what is null or not finite is empty.
      *
      * @param number of a double
      * @param quoted whether every text stands between quotes
      */
-    public CsvRow csv(R row, Function<Double, String> number, boolean quoted) {
-        CsvRow cells = new CsvRow();
-        for (Function<R, ?> value : values) {
-            Object cell = value.apply(row);
-            if (cell instanceof String text && quoted) {
-                cells.text(text);
-            } else {
-                cells.words(cell == null || cell instanceof Double none && !Double.isFinite(none) ? ""
-                    : cell instanceof Double some ? number.apply(some)
-                    : cell instanceof Enum ? cell.toString().toLowerCase(Locale.ROOT) : cell.toString());
+    public String csvRows(Collection<R> rows, Function<Double, String> number, boolean quoted) {
+        StringBuilder lines = new StringBuilder();
+        for (R row : rows) {
+            CsvRow cells = new CsvRow();
+            for (Function<R, ?> value : values) {
+                Object cell = value.apply(row);
+                if (cell instanceof String text && quoted) {
+                    cells.text(text);
+                } else {
+                    cells.words(cell == null || cell instanceof Double none && !Double.isFinite(none) ? ""
+                        : cell instanceof Double some ? number.apply(some)
+                        : cell instanceof Enum ? cell.toString().toLowerCase(Locale.ROOT) : cell.toString());
+                }
             }
+            lines.append(cells.line());
         }
-        return cells;
-    }
-
-    /** The rows as CSV below the names, no text between quotes without need. */
-    public String csv(Collection<R> rows, Function<Double, String> number) {
-        StringBuilder lines = new StringBuilder(new CsvRow().words(heads()).line());
-        rows.forEach(row -> lines.append(csv(row, number, false).line()));
         return lines.toString();
     }
 }

@@ -46,7 +46,7 @@ class TableTest {
             + "{\"name\":\"longer\",\"games\":3,\"points\":null}]}",
             JsonObject.text(Fields.of("rows", table().json(ROWS))::write));
         assertEquals("name,games,points [share]\n\"a, b\",12,0.5\nlonger,3,\n",
-            table().csv(ROWS, number -> TextFormat.number(number, 6)));
-        assertEquals("\"longer\",3,\n", table().csv(ROWS.get(1), String::valueOf, true).line());
+            table().csv(ROWS, number -> TextFormat.number(number, 6), false));
+        assertEquals("\"longer\",3,\n", table().csvRows(ROWS.subList(1, 2), String::valueOf, true));
     }
 }

@@ -11,6 +11,7 @@ import java.util.Locale;
 import steward.lab.chart.MeasuredTable;
 import steward.report.Fields;
 import steward.report.Table;
+import steward.text.TextFormat;
 
 /** Writer of the bench's table to files, each row as soon as it is measured. The page comes last. */
 public final class BenchFiles implements AutoCloseable {
@@ -25,10 +26,15 @@ public final class BenchFiles implements AutoCloseable {
     public static final List<String> ALL = List.of(CSV, JSON, PAGE);
 
     private static final MathContext DIGITS = new MathContext(6);
-    private static final Table<Row> COLUMNS = new Table<Row>().value("section", Row::section).value("name", Row::name)
-        .value("unit", Row::unit).value("perSecond", row -> rounded(row.perSecond()))
-        .value("nanos", row -> rounded(row.nanos())).value("ratio", row -> rounded(row.ratio()))
-        .value("bytes", row -> rounded(row.bytes())).value("note", Row::note);
+    /** Columns of the table; people see them without the section. */
+    public static final Table<Row> COLUMNS = new Table<Row>().value("section", Row::section).value("name", Row::name)
+        .left(" ".repeat(44), 0, row -> "  " + row.name()).value("unit", Row::unit)
+        .value("perSecond", row -> rounded(row.perSecond()))
+        .right("a second", 14, row -> String.format(Locale.ROOT, "%,.0f", row.perSecond()))
+        .value("nanos", row -> rounded(row.nanos())).right("each", 12, row -> PerformancePage.time(row.nanos()))
+        .value("ratio", row -> rounded(row.ratio())).right("ratio", 9, row -> TextFormat.fixed(row.ratio(), 2))
+        .value("bytes", row -> rounded(row.bytes())).right("bytes", 9, row -> TextFormat.fixed(row.bytes(), 0))
+        .value("note", Row::note).left("", 2, Row::note);
 
     private final Path folder;
     private final String machine;

@@ -74,7 +74,7 @@ public final class PerformancePage {
     }
 
     /** In the unit that leaves one to three digits before the decimal point. */
-    public static String time(double nanos) {
+    static String time(double nanos) {
         return nanos < 1e3 ? String.format(Locale.ROOT, "%.0f ns", nanos)
             : nanos < 1e6 ? String.format(Locale.ROOT, "%.2f us", nanos / 1e3)
             : String.format(Locale.ROOT, "%.2f ms", nanos / 1e6);

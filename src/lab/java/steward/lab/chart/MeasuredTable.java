@@ -2,7 +2,10 @@ package steward.lab.chart;
 
 import java.awt.AWTError;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -30,7 +33,7 @@ public final class MeasuredTable<R> implements AutoCloseable {
     private final Path json;
     private final Table<R> columns;
     private final Fields facts;
-    private final CsvFile csv;
+    private final OutputStream csv;
     private final List<R> rows = new ArrayList<>();
 
     /**
@@ -47,7 +50,8 @@ public final class MeasuredTable<R> implements AutoCloseable {
         this.facts = facts;
         json = folder.resolve(name + ".json");
         writeJson();
-        csv = new CsvFile(folder.resolve(name + ".csv"), columns.heads());
+        csv = Files.newOutputStream(folder.resolve(name + ".csv"));
+        csv.write(columns.csv(rows, String::valueOf, true).getBytes(StandardCharsets.UTF_8));
     }
 
     /** The rows so far. */
@@ -59,7 +63,7 @@ public final class MeasuredTable<R> implements AutoCloseable {
     public void add(List<R> more) {
         rows.addAll(more);
         writing(() -> {
-            csv.addAll(more.stream().map(row -> columns.csv(row, String::valueOf, true)).toList());
+            csv.write(columns.csvRows(more, String::valueOf, true).getBytes(StandardCharsets.UTF_8));
             writeJson();
         });
     }

@@ -37,10 +37,10 @@ final class RunTables implements MatchListener, AutoCloseable {
     private static final int MOST_ROWS = 12;
 
     private static final String STATES = "turn,id,x [u],y [u],vx [u/turn],vy [u/turn],radius [u],mass [m],restitution,"
-        + "drag [1/turn]";
+        + "drag [1/turn]\n";
     private static final String IMPACTS = "turn,time [turn],a,b,wall,ax [u],ay [u],bx [u],by [u],impulse [m u/turn],"
         + "energy [m u^2/turn^2],normalX,normalY,vaxBefore [u/turn],vayBefore [u/turn],vaxAfter [u/turn],"
-        + "vayAfter [u/turn],vbxBefore [u/turn],vbyBefore [u/turn],vbxAfter [u/turn],vbyAfter [u/turn]";
+        + "vayAfter [u/turn],vbxBefore [u/turn],vbyBefore [u/turn],vbxAfter [u/turn],vbyAfter [u/turn]\n";
 
     private final Table turns;
     private final Table states;
@@ -84,7 +84,7 @@ final class RunTables implements MatchListener, AutoCloseable {
         List.of("turns.csv", "states.csv", "impacts.csv")
             .forEach(name -> OutputFiles.check(folder.resolve(name), overwrite));
         try {
-            return new RunTables(file(folder, "turns.csv", String.join(",", TurnRow.COLUMNS.heads())),
+            return new RunTables(file(folder, "turns.csv", TurnRow.COLUMNS.csv(List.of(), RunTables::number, false)),
                 file(folder, "states.csv", STATES), file(folder, "impacts.csv", IMPACTS));
         } catch (IOException problem) {
             throw new InputException(folder + ": cannot be written into: " + OutputFiles.reason(folder, problem));
@@ -93,7 +93,7 @@ final class RunTables implements MatchListener, AutoCloseable {
 
     private static Table file(Path folder, String name, String columns) throws IOException {
         Writer file = Files.newBufferedWriter(folder.resolve(name));
-        file.write(columns + "\n");
+        file.write(columns);
         return new Table(file, new StringBuilder());
     }
 
@@ -210,7 +210,8 @@ final class RunTables implements MatchListener, AutoCloseable {
         restOfTurn = 0;
         limitTime = Double.NaN;
         if (turns != null) {
-            turns.rows.append(TurnRow.COLUMNS.csv(rows.get(rows.size() - 1), RunTables::number, false).line());
+            turns.rows.append(TurnRow.COLUMNS.csvRows(rows.subList(rows.size() - 1, rows.size()), RunTables::number,
+                false));
             write(false);
         }
     }

@@ -75,10 +75,8 @@ record SeriesPage(Path file, boolean open, boolean overwrite) {
             PageTemplate page = new PageTemplate(FOLDER, Pages.title(contest.entrants().stream()
                 .map(Contest.Entrant::name).toList()));
             page.put("policy", page.policy("'none'", " " + shell.scriptHash(), " " + shell.styleHash()));
-            String data = LeaguePage.inScript(JsonObject.text(out -> {
-                SeriesJson.of(series, play, choosers, null).with("folder", series.folder()).write(out);
-                replays.write(out, shell, linked);
-            }));
+            String data = LeaguePage.inScript(JsonObject.text(SeriesJson.of(series, play, choosers, null).with("folder",
+                series.folder()).and(replays.fields(shell, linked))::write));
             page.write(html, out -> out.write(data.getBytes(StandardCharsets.UTF_8)));
             try (OutputStream out = OutputFiles.open(file, overwrite)) {
                 Pages.write(out, html.toByteArray(), file);

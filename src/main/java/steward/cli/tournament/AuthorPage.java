@@ -95,8 +95,8 @@ record AuthorPage(TournamentCommand.Entry entry, int version, List<StoredGame> g
         if (entry.check() != null) {
             entry.check().games().forEach(game -> dialogue(page, game));
         }
-        Files.writeString(file, page.append(any ? Html.endWithReplays(LeaguePage.inScript(JsonObject.text(out ->
-            kept.write(out, shell)))) : Html.END));
+        Files.writeString(file, page.append(any ? Html.endWithReplays(LeaguePage.inScript(JsonObject.text(
+            kept.fields(shell)::write))) : Html.END));
     }
 
     private void games(StringBuilder page, EmbeddedReplays kept) {

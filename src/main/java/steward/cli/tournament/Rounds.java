@@ -1,7 +1,6 @@
 package steward.cli.tournament;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -15,6 +14,7 @@ import java.util.function.Consumer;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.json.JsonObject;
+import steward.report.Fields;
 import steward.scene.json.Block;
 import steward.scene.json.JsonTree;
 import steward.scene.json.SceneException;
@@ -82,11 +82,8 @@ record Rounds(Path file, List<String> field, List<List<List<String>>> rounds) {
     }
 
     private void write() throws IOException {
-        OutputFiles.replace(file, JsonObject.text(out -> {
-            JsonObject.writeTexts(out, FIELD, field);
-            JsonObject.writeAll(out, ROUNDS, rounds, round -> JsonObject.writeTexts(out, GROUPS,
-                round.stream().map(group -> String.join(" ", group)).toList()));
-        }).getBytes(StandardCharsets.UTF_8));
+        OutputFiles.replace(file, JsonObject.of(Fields.of(FIELD, field, ROUNDS, Fields.each(rounds, round -> Fields.of(
+            GROUPS, Fields.each(round, group -> String.join(" ", group)))))::write));
     }
 
     /** Number of decisions on each group. */

@@ -217,7 +217,7 @@ record Scores(List<Row> rows, String rule) {
             .value("rating", row -> TextFormat.number(rated.get(row.version()).rating(), 1))
             .value("bar", row -> rated.get(row.version()).hasBar()
                 ? TextFormat.number(rated.get(row.version()).bar(), 1) : ""), Row::version)
-            .csv(rows, number -> TextFormat.number(number, 6));
+            .csv(rows, number -> TextFormat.number(number, 6), false);
     }
 
     /** Points as they are written: one digit behind the point, two where several play. */

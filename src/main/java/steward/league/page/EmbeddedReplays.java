@@ -11,7 +11,7 @@ import steward.game.GameTypes;
 import steward.league.StoredGame;
 import steward.replay.page.PageReplays;
 import steward.replay.page.ReplayPage;
-import tools.jackson.core.JsonGenerator;
+import steward.report.Fields;
 
 /**
  * Kept replays of a league's page, by game: those that it contains, and those that have a page beside it.
@@ -56,7 +56,7 @@ public record EmbeddedReplays(PageReplays kept, Map<Long, String> linked, ErrorL
     }
 
     /** The fields {@code replays}, {@code linked} and {@code shell}. */
-    public void write(JsonGenerator out, ReplayPage.Shell shell) {
-        kept.write(out, shell, linked);
+    public Fields fields(ReplayPage.Shell shell) {
+        return kept.fields(shell, linked);
     }
 }

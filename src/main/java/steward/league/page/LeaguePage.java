@@ -56,10 +56,7 @@ public final class LeaguePage {
         page.put("source", "");
         Function<StoredGame, String> where = game -> game.replay() == null ? null
             : replays.has(game.id()) ? IN_PAGE : folder.resolve(game.replay()).toString();
-        String data = JsonObject.text(out -> {
-            LeagueJson.view(view, where, replays.errors()).write(out);
-            replays.write(out, shell);
-        });
+        String data = JsonObject.text(LeagueJson.view(view, where, replays.errors()).and(replays.fields(shell))::write);
         page.write(html, out -> out.write(inScript(data).getBytes(StandardCharsets.UTF_8)));
     }
 

@@ -12,10 +12,9 @@ import java.util.TreeMap;
 import java.util.function.IntPredicate;
 import steward.files.OutputFiles;
 import steward.game.GameTypes;
-import steward.json.JsonObject;
 import steward.replay.ReplayException;
 import steward.replay.ReplayReader;
-import tools.jackson.core.JsonGenerator;
+import steward.report.Fields;
 
 /**
  * Kept replays of a page of many games: those in the page, and, beyond a size, others in pages of their own beside it.
@@ -103,20 +102,13 @@ public record PageReplays(Map<Long, ReplayPage.Embedded> embedded, List<Kept> be
         return linked;
     }
 
-    /** Writes the fields {@code replays}, {@code linked} and, if there are replays, {@code shell}. */
-    public void write(JsonGenerator out, ReplayPage.Shell shell, Map<Long, String> linked) {
-        out.writeObjectPropertyStart("replays");
-        embedded.forEach((game, replay) ->
-            JsonObject.writeTexts(out, Long.toString(game), List.of(replay.replay(), replay.details())));
-        out.writeEndObject();
-        out.writeObjectPropertyStart("linked");
-        linked.forEach((game, address) -> out.writeStringProperty(Long.toString(game), address));
-        out.writeEndObject();
-        if (!embedded.isEmpty()) {
-            out.writeObjectPropertyStart("shell");
-            out.writeStringProperty("before", shell.before());
-            out.writeStringProperty("after", shell.after());
-            out.writeEndObject();
-        }
+    /** The fields {@code replays}, {@code linked} and, if there are replays, {@code shell}. */
+    public Fields fields(ReplayPage.Shell shell, Map<Long, String> linked) {
+        Fields replays = Fields.of();
+        embedded.forEach((game, replay) -> replays.with(Long.toString(game), List.of(replay.replay(),
+            replay.details())));
+        Fields fields = Fields.of("replays", replays, "linked", linked);
+        return embedded.isEmpty() ? fields
+            : fields.with("shell", Fields.of("before", shell.before(), "after", shell.after()));
     }
 }

@@ -2,9 +2,8 @@ package steward.lab.cli.bench;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import steward.cli.streams.Streams;
-import steward.lab.bench.PerformancePage;
+import steward.lab.bench.BenchFiles;
 import steward.lab.bench.Row;
 import steward.lab.bench.Section;
 import steward.text.TextFormat;
@@ -12,10 +11,6 @@ import steward.text.TextFormat;
 /** Printer of the benchmarks' table, row by row as it is measured. */
 final class BenchTable {
 
-    private static final int NAME = 42;
-    private static final int FIGURE = 14;
-    private static final int TIME = 12;
-    private static final int RATIO = 9;
     private static final int WIDTH = 100;
 
     private final Streams streams;
@@ -28,8 +23,7 @@ final class BenchTable {
 
     void begin(Section section) {
         streams.out().println("\n" + section.name() + ": " + TextFormat.wrap(section.about(), " ", WIDTH, ""));
-        streams.out().println("  " + TextFormat.left("", NAME) + TextFormat.right("a second", FIGURE)
-            + TextFormat.right("each", TIME) + TextFormat.right("ratio", RATIO) + TextFormat.right("bytes", RATIO));
+        streams.out().println(BenchFiles.COLUMNS.lines(List.of()).get(0));
         streams.out().flush();
     }
 
@@ -45,12 +39,7 @@ final class BenchTable {
     }
 
     void add(Row row) {
-        String line = "  " + TextFormat.left(row.name(), NAME)
-            + TextFormat.right(String.format(Locale.ROOT, "%,.0f", row.perSecond()), FIGURE)
-            + TextFormat.right(PerformancePage.time(row.nanos()), TIME)
-            + TextFormat.right(TextFormat.fixed(row.ratio(), 2), RATIO)
-            + TextFormat.right(TextFormat.fixed(row.bytes(), 0), RATIO);
-        streams.out().println(row.note().isEmpty() ? line : line + "  " + row.note());
+        streams.out().println(BenchFiles.COLUMNS.lines(List.of(row)).get(1));
         streams.out().flush();
     }
 }

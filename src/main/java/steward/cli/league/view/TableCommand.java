@@ -59,7 +59,7 @@ public final class TableCommand extends ProgramCommand {
                 Json.print(streams, values ? fields.with("values", own.fields(table)) : fields);
             } else if (csv) {
                 streams.out().print(own.addTo(LeagueJson.bots(table, true), row -> row.entry().version())
-                    .csv(table.rows(), number -> TextFormat.number(number, 6)));
+                    .csv(table.rows(), number -> TextFormat.number(number, 6), false));
             } else {
                 TableText.whole(table, opened.season(), opened.workers(), streams.outColour())
                     .forEach(streams.out()::println);
