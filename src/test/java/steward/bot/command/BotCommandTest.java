@@ -131,32 +131,23 @@ class BotCommandTest {
     }
 
     @Test
-    void builtinBotsStartTheJvmThatIsRunning() {
-        BuiltinBots builtins = new BuiltinBots("racer = pod a.b.Racer --mild 'x y'");
-        List<String> command = BotCommand.parse("builtin:racer --fast").resolve(builtins, HERE);
-        assertEquals(Path.of(System.getProperty("java.home"), "bin", "java").toString(), command.get(0));
-        int end = command.size();
-        assertEquals(List.of("-cp", System.getProperty("java.class.path"), "a.b.Racer", "--mild", "x y", "--fast"),
-            command.subList(end - 6, end));
-        assertEquals(List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xshare:auto", "-XX:-UsePerfData"),
-            command.subList(1, end - 6));
-    }
-
-    @Test
-    void theJvmOptionsOfBuiltinBotsCanBeReplaced() {
-        String before = System.getProperty(BuiltinBots.JVM_OPTIONS);
+    void builtinBotsStartTheJvmThatIsRunningWithOptionsThatCanBeReplaced() {
+        String before = System.clearProperty(BuiltinBots.JVM_OPTIONS);
         try {
+            BuiltinBots builtins = new BuiltinBots("racer = pod a.b.Racer --mild 'x y'");
+            List<String> command = BotCommand.parse("builtin:racer --fast").resolve(builtins, HERE);
+            assertEquals(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xshare:auto", "-XX:-UsePerfData", "-cp",
+                System.getProperty("java.class.path"), "a.b.Racer", "--mild", "x y", "--fast"), command);
+
             System.setProperty(BuiltinBots.JVM_OPTIONS, "-Xmx64m '-Dx=a b'");
-            List<String> command = new BuiltinBots("racer = pod Racer").command("racer", List.of());
-            assertEquals(List.of("-Xmx64m", "-Dx=a b", "-cp"), command.subList(1, 4));
+            assertEquals(List.of("-Xmx64m", "-Dx=a b", "-cp"), builtins.command("racer", List.of()).subList(1, 4));
             System.setProperty(BuiltinBots.JVM_OPTIONS, "'");
-            Exception e = assertThrows(IllegalArgumentException.class,
-                () -> new BuiltinBots("racer = pod Racer").command("racer", List.of()));
+            Exception e = assertThrows(IllegalArgumentException.class, () -> builtins.command("racer", List.of()));
             assertEquals("system property steward.bot.jvm, column 1: the single quote is never closed", e.getMessage());
         } finally {
-            if (before == null) {
-                System.clearProperty(BuiltinBots.JVM_OPTIONS);
-            } else {
+            System.clearProperty(BuiltinBots.JVM_OPTIONS);
+            if (before != null) {
                 System.setProperty(BuiltinBots.JVM_OPTIONS, before);
             }
         }
