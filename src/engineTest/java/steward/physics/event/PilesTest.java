@@ -90,13 +90,14 @@ class PilesTest {
     /**
      * Piles with restitution fall into a place by their weight: at rest they have few impacts, on all rungs. Masses are
      * 1 to 1,000; in the narrow wedge they are equal, since others collapse there in more impacts than a turn may have.
+     * Campaigns drop larger piles at each restitution ({@code FallenPilesCase}).
      */
     @ParameterizedTest
     @EnumSource(names = {"CORNER", "WEDGE", "NARROW_WEDGE"})
     @Tag("slow")
     void fallenPilesRest(Place place) {
         for (double restitution : new double[] {0, 0.3, 0.6, 0.9}) {
-            for (int count : new int[] {3, 12, 40}) {
+            for (int count : restitution == 0.6 ? new int[] {3, 12, 40} : new int[] {3, 12}) {
                 fall(Arithmetic.values()[count % 4], count, place == Place.NARROW_WEDGE ? 1 : 2, restitution, 1200,
                     place.walls(1));
             }

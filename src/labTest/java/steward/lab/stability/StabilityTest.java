@@ -38,18 +38,21 @@ import steward.physics.PhysicsParts;
 import steward.physics.event.EventAdvance;
 import steward.physics.event.QueueAdvance;
 
-/** Every case of the stability table in its short version; in campaigns on every rung. */
+/**
+ * Every case of the stability table in its short version; in campaigns on every rung. It takes long because rest and
+ * random chains are computed to the end of their turns, and once more by rungs that must fail.
+ */
 @Execution(ExecutionMode.CONCURRENT)
 class StabilityTest {
 
     private static final Set<String> LONG = Set.of("dense packing", "inelastic collapse", "long run of 10",
         "long run of 100", "lattice of pairs", "gaps, distances", "rest", "grazing passes", "simultaneous impacts",
-        "ties");
+        "ties", "fallen piles");
     /** Of these, the cases that demand something of no rung but the exact one and its like. */
     private static final Set<String> ONLY_EXACT = Set.of("grazing passes", "simultaneous impacts");
-    /** About a second or more on one rung already. */
+    /** About a second or more on one rung already; {@code PilesTest} drops piles in {@code test} too. */
     private static final Set<String> LONGEST = Set.of("long run of 100", "long run of 1000", "crowd of 1000, 10%",
-        "crowd of 1000, 80%", "lattice of pairs", "random pairs, 2^+-200", "random pairs, 2^+-900");
+        "crowd of 1000, 80%", "lattice of pairs", "random pairs, 2^+-200", "random pairs, 2^+-900", "fallen piles");
     private static final Rung EXACT = Rung.all().get(Rung.all().size() - 1);
     private static final Rung BLIND = new Rung("blind", true, true, Arithmetic.EXACT,
         parts -> (bodies, sink) -> { });
