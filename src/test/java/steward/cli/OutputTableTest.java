@@ -24,7 +24,7 @@ import steward.cli.options.SandboxOptions;
  * Golden files: whole outputs of commands as text, JSON and CSV, to the letter but for times that were measured. A file
  * {@code outputs/NAME.txt} has calls that follow one another in one folder, in the form of {@link BadInputEntry}. With
  * {@code -Dsteward.recordOutputs=FOLDER} the files are written anew to a folder, to be read before they replace the old
- * ones.
+ * ones. It takes long because the calls play whole leagues and tests whose bots are processes.
  */
 @Tag("process")
 @Tag("slow")
@@ -32,7 +32,7 @@ import steward.cli.options.SandboxOptions;
 class OutputTableTest {
 
     private static final List<String> FILES = List.of("bodies", "failures", "league", "leagues", "match", "matches",
-        "replays", "runs", "sequential", "series", "sprt", "tools");
+        "replays", "resumed", "runs", "sequential", "series", "sprt", "tools");
     /** Measured numbers within a line; each keeps its first group. */
     private static final List<Pattern> MEASURED = List.of(
         Pattern.compile("(\"(?:average|worst|first|mean|p99|meanFirst|worstFirst|meanMs|worstMs|[a-z]+Ms)\":)"
@@ -66,7 +66,7 @@ class OutputTableTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"league", "series", "sprt"})
+    @ValueSource(strings = {"league", "resumed", "series", "sprt"})
     @Tag("campaign")
     void ofManyGamesIsWhatItWas(String name) throws IOException {
         compare(name);
