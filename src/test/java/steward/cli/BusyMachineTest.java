@@ -31,6 +31,7 @@ import tools.jackson.databind.JsonNode;
  * Correct programs on a machine whose processors have three times as many busy processes: none is called faulty. They
  * are {@code src/test/resources/busy}, one source for each language that is installed, and each is of seven kinds by
  * its argument. None uses more than 60% of its limit, 45 of 75 ms, or 600 of 1000 ms at its start.
+ * It takes long because the load that it makes slows down the tests too.
  */
 @Tag("process")
 @Tag("slow")
@@ -68,7 +69,7 @@ class BusyMachineTest {
         scene = folder.resolve("short.json");
         Files.writeString(scene, Files.readString(Path.of("config/scenes/duel.json")).replace("\"duel\"", "\"short\"")
             .replace("\"maximumTurns\": 200", "\"maximumTurns\": 3"));
-        for (String[] language : Arrays.copyOf(LANGUAGES, TestSize.of(2, LANGUAGES.length))) {
+        for (String[] language : Arrays.copyOf(LANGUAGES, TestSize.of(1, LANGUAGES.length))) {
             Path built = Files.createDirectories(folder.resolve("built").resolve(language[0]));
             Files.copy(SOURCES.resolve(language[0]), built.resolve(language[0]));
             String program = (language[1].equals("-") ? language[2] : language[1]).split(" ")[0];

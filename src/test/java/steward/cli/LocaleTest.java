@@ -20,14 +20,20 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.bot.command.CommandLine;
 import steward.bot.command.ProgramFinder;
 import steward.cli.streams.Streams;
 import steward.codingame.recording.OfficialGame;
 
-/** The program without a locale, as cron starts it, where folders and files have other letters than those of ASCII. */
+/**
+ * The program without a locale, as cron starts it, where folders and files have other letters than those of ASCII. It
+ * takes long because every command is called, and each game starts its bots.
+ */
 @Tag("process")
 @Tag("slow")
+@Execution(ExecutionMode.CONCURRENT)
 class LocaleTest {
 
     private static final String BOT = "#!/bin/sh\necho \"locale ${LC_ALL-none}\" >&2\nread -r setup\nwhile read -r l; "

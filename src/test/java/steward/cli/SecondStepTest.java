@@ -31,7 +31,7 @@ import steward.scene.SceneFiles;
  * What somebody does second, after a scene is found: it is explained, played by its name with the bots that come with
  * it, verified and shown; a game of the site is imported, verified and shown; every page opens. That a page shows every
  * body is {@code EveryScenePageTest}'s. That every starter plays, and is shown, is {@code NewCommandTest}'s and {@code
- * StarterPageTest}'s.
+ * StarterPageTest}'s. It takes long because each shipped scene is played by processes, and each page by a browser.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class SecondStepTest {

@@ -26,7 +26,10 @@ import steward.cli.Cli;
 import steward.cli.shared.ExitStatus;
 import tools.jackson.databind.JsonNode;
 
-/** Matches with a referee that is a program of its own: one that speaks rightly, and wrongly in every way. */
+/**
+ * Matches with a referee that is a program of its own: one that speaks rightly, and wrongly in every way. It takes long
+ * because each match starts a referee in Python, and some wait for answers that come late.
+ */
 @Tag("process")
 @Timeout(120)
 class GuestMatchTest {

@@ -27,7 +27,10 @@ import steward.files.JarFolder;
 import steward.match.TestSize;
 import steward.scene.SceneReader;
 
-/** Referees on a class path, by a stand-in for the SDK that is compiled here: game after game in one JVM. */
+/**
+ * Referees on a class path, by a stand-in for the SDK that is compiled here: game after game in one JVM. It takes long
+ * because each project is compiled, and each resident referee is a JVM.
+ */
 @Tag("process")
 @Timeout(120)
 class ResidentRefereeTest {

@@ -22,7 +22,7 @@ import steward.bot.command.CommandLine;
 /**
  * Lines of README and manual, run by a shell as they stand there, in a folder with the bots that they name; and the
  * examples of {@code src/examples} that need nothing else. A line is found on its page by how it begins. Only time
- * limits are longer than shown: the machine may be busy.
+ * limits are longer than shown: the machine may be busy. It takes long because each line starts the program.
  */
 @Tag("process")
 @Tag("slow")

@@ -16,6 +16,8 @@ import java.util.Map;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import steward.cli.Cli;
@@ -25,6 +27,7 @@ import steward.cli.shared.ExitStatus;
  * Tables of {@code steward run}: every column follows from the others. Products and sums of the doubles in them are
  * exact here, roots and quotients have 60 digits; what is compared may be off by some roundings of its terms.
  */
+@Execution(ExecutionMode.CONCURRENT)
 class RunTablesTest {
 
     private static final MathContext DIGITS = new MathContext(60);

@@ -26,7 +26,7 @@ import tools.jackson.databind.JsonNode;
 
 /**
  * A tournament is called again and again: what was handed in last plays, everybody has as many games as the others, and
- * all pages say what the database says.
+ * all pages say what the database says. It takes long because the bots of every game are processes.
  */
 @Tag("process")
 @Tag("slow")

@@ -22,7 +22,10 @@ import steward.cli.Cli;
 import steward.cli.Main;
 import steward.cli.shared.ExitStatus;
 
-/** Swiss rounds of four programs, interrupted and with programs that change: two games of each pair that meets. */
+/**
+ * Swiss rounds of four programs, interrupted and with programs that change: two games of each pair that meets. It takes
+ * long because the interrupted tournament is a program of its own, which is killed.
+ */
 @Tag("process")
 @Tag("slow")
 @Timeout(300)

@@ -37,7 +37,10 @@ import steward.league.rating.LeagueTable;
 import steward.replay.page.PageTestBrowser;
 import steward.replay.page.PageTestRaces;
 
-/** Pages of a tournament with replays: the wall of a class, and an author's. */
+/**
+ * Pages of a tournament with replays: the wall of a class, and an author's. It takes long because the wall plays a game
+ * to its end at the pace at which people watch it.
+ */
 @Tag("slow")
 @Timeout(300)
 @Execution(ExecutionMode.CONCURRENT)
@@ -55,7 +58,8 @@ class TournamentPagesTest {
 
     @BeforeEach
     void begin() throws Exception {
-        String replay = new String(PageTestRaces.play(PageTestRaces.scene("duel"), 3), StandardCharsets.UTF_8);
+        String scene = PageTestRaces.scene("duel").replace("\"maximumTurns\": 200", "\"maximumTurns\": 20");
+        String replay = new String(PageTestRaces.play(scene, 3), StandardCharsets.UTF_8);
         Files.writeString(folder.resolve("a.jsonl"), replay.replaceAll("(,\"stderr\":\\[.*?\\])?,\"turnHash\"",
             ",\"stderr\":[\"my own\",\"" + SECRET + "\"],\"turnHash\""));
         wall = ProjectorWall.start(CommandLine.populateCommand(new WatchOptions(), "--watch"),

@@ -31,7 +31,8 @@ import steward.schema.PublishedTable;
 
 /**
  * Tables of how often bars, order and sequential tests held, each row within four standard deviations of the promise:
- * {@code docs/tables/rating.md}, with {@code -Psteward.games=20000} leagues of each kind in hours.
+ * {@code docs/tables/rating.md}, with {@code -Psteward.games=20000} leagues of each kind in hours. It takes
+ * long because a promise of frequencies needs hundreds of leagues.
  */
 @Tag("slow")
 @Tag("sized")

@@ -30,7 +30,10 @@ import steward.machines.wire.HeaderText;
 import steward.machines.wire.WireMessage;
 import steward.machines.wire.WorkerWord;
 
-/** What becomes of workers that lie, fail or keep games, and of honest ones with unusual bots. */
+/**
+ * Fate of workers that lie, fail or keep games, and of honest ones with unusual bots. It takes long because games of a
+ * liar are asked again, and leagues look at their lists once a second.
+ */
 @Tag("process")
 @Tag("slow")
 @Timeout(300)

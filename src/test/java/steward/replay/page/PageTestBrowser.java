@@ -36,6 +36,8 @@ public final class PageTestBrowser implements AutoCloseable {
     /** Name of the lock of those who use it: {@code @ResourceLock}, beside the tag {@code browser}. */
     public static final String LOCK = "browser";
 
+    private static final String BLANK = "about:blank";
+
     private static final Duration PATIENCE = Duration.ofSeconds(60);
 
     /** Warns of every Chromium newer than itself; kept here because loggers are only held weakly. */
@@ -51,6 +53,8 @@ public final class PageTestBrowser implements AutoCloseable {
     private static final class Started {
 
         static final ChromeDriver DRIVER = driver(browser(), driverProgram());
+        /** Size of the page that was set last. */
+        static Dimension size;
 
         static {
             Runtime.getRuntime().addShutdownHook(new Thread(() -> {
@@ -91,6 +95,7 @@ public final class PageTestBrowser implements AutoCloseable {
             "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-extensions",
             "--hide-scrollbars", "--force-device-scale-factor=1");
         options.setCapability("goog:loggingPrefs", logs);
+        options.setExperimentalOption("perfLoggingPrefs", Map.of("enablePage", false));       // requests are asked for
         System.setProperty(ChromeDriverService.CHROME_DRIVER_EXE_PROPERTY, driverProgram.toString());
         System.setProperty(ChromeDriverService.CHROME_DRIVER_SILENT_OUTPUT_PROPERTY, "true");
         ChromeDriver driver = new ChromeDriver(new ChromeDriverService.Builder()
@@ -137,7 +142,9 @@ public final class PageTestBrowser implements AutoCloseable {
     }
 
     private void load(String address) {
-        driver.get("about:blank");                           // otherwise a change of the link alone loads nothing
+        if (!BLANK.equals(driver.getCurrentUrl())) {
+            driver.get(BLANK);                               // otherwise a change of the link alone loads nothing
+        }
         logs(LogType.BROWSER);
         logs(LogType.PERFORMANCE);
         driver.get(address);
@@ -151,9 +158,14 @@ public final class PageTestBrowser implements AutoCloseable {
 
     /** The size of the page itself. */
     public void size(int width, int height) {
+        Dimension wanted = new Dimension(width, height);
+        if (wanted.equals(Started.size)) {
+            return;
+        }
+        Started.size = wanted;
         driver.executeCdpCommand("Emulation.setDeviceMetricsOverride",
             Map.of("width", width, "height", height, "deviceScaleFactor", 1, "mobile", width < 500));
-        driver.manage().window().setSize(new Dimension(width, height));
+        driver.manage().window().setSize(wanted);
     }
 
     /** Sets the machine's preferences: light or dark, and whether motion is to be reduced. */
@@ -282,7 +294,7 @@ public final class PageTestBrowser implements AutoCloseable {
             for (String window : windows.subList(1, windows.size())) {
                 driver.switchTo().window(window).close();
             }
-            driver.switchTo().window(windows.get(0)).get("about:blank");
+            driver.switchTo().window(windows.get(0)).get(BLANK);
             driver.executeCdpCommand("Emulation.setEmulatedMedia", Map.of("features", List.of()));
             driver.executeCdpCommand("Storage.clearDataForOrigin", Map.of("origin", "*", "storageTypes", "all"));
         } finally {
