@@ -29,15 +29,14 @@ import steward.physics.time.SimultaneousImpacts;
  *
  *     t = c / (sqrt(b^2 - a c) - b),    which is at least c / -2b.
  *
- * So a pair is left out without a root or a division if b >= 0, or b^2 < a c, or c >= -2b times what is left until an
- * impact that was known before, of either body: in a dense crowd many pairs would meet only after that. The present
- * positions are accurate to a few units in the last place of the coordinates x and of the paths since the last
- * impacts, e = 2^-50 (|x| + |v|) for each; that moves c by at most 2 |d| times as much, and 2 |d| e <= 2^-40 d.d +
- * 2^40 e^2. It moves b by at most 3 e sqrt a <= 2^-41 a + 2^43 e^2, and rounding b by 2^-51 |d| sqrt a <= 2^-52 (d.d +
- * a): bodies that have just exchanged impulses at one instant can approach by no more than that. At least this much is
- * subtracted from c and b first, so pairs in doubt are kept. For these the time is computed in the arithmetic of the
- * rung, from the positions at the later start of the two flights: a time of impact depends on nothing but the two
- * flights, not on the body that searches nor on the time of the search.
+ * So a pair is left out without a root or a division if b >= 0, or c >= -2b times what is left until the impact that
+ * was known before, or b^2 < a c. The present positions are accurate to a few units in the last place of the
+ * coordinates x and of the paths since the last impacts, e = 2^-50 (|x| + |v|) for each; that moves c by at most 2 |d|
+ * times as much, and 2 |d| e <= 2^-40 d.d + 2^40 e^2. It moves b by at most 3 e sqrt a <= 2^-41 a + 2^43 e^2, and
+ * rounding b by 2^-51 |d| sqrt a <= 2^-52 (d.d + a): bodies that have just exchanged impulses at one instant can
+ * approach by no more than that. At least this much is subtracted from c and b first, so pairs in doubt are kept. For
+ * these the time is computed in the arithmetic of the rung, from the positions at the later start of the two flights: a
+ * time of impact depends on nothing but the two flights, not on the body that searches nor on the time of the search.
  */
 
 /**
@@ -258,8 +257,7 @@ final class CellSearch extends ImpactSearch {
         double radius = state[at + RADIUS];
         double reach = Math.abs(x) + Math.abs(y) + Math.abs(vx) + Math.abs(vy);
         double doubt = 0x1p-57 * reach * reach;
-        double limit = Math.min(best, 1);
-        double room = crowd.exact ? SimultaneousImpacts.NEAR : 0;
+        double left = Math.min(best, 1) - now;
         int kept = 0;
         for (int k = 0; k < count; k++) {
             int other = 8 * others[k];
@@ -275,7 +273,7 @@ final class CellSearch extends ImpactSearch {
             double c = squared - touch * touch - (0x1p-38 * squared + 0x1p-57 * a + doubt);
             double twice = b - Math.abs(b);            // 2b if they approach, otherwise 0
             double misses = 4 * (a * c) - twice * twice - LEAST;
-            double late = c + twice * (Math.min(limit, state[other + IMPACT] + room) - now);
+            double late = c + twice * left;
             others[kept] = others[k];
             // All three below 0. NaN after an overflow counts as a miss, whatever sign the processor gives it.
             kept += (int) ((Double.doubleToRawLongBits(b) & Double.doubleToLongBits(misses)
