@@ -28,11 +28,6 @@ public final class SourceText {
         return of(page).split("(?m)^## " + heading + "\n", 2)[1].split("(?m)^## ", 2)[0];
     }
 
-    /** Java files below some folders. */
-    public static SortedMap<String, String> below(String... folders) {
-        return ofKind(".java", folders);
-    }
-
     /** Files below some folders whose names end so. */
     public static SortedMap<String, String> ofKind(String end, String... folders) {
         SortedMap<String, String> texts = new TreeMap<>();

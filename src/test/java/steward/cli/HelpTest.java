@@ -5,16 +5,19 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine.Model.CommandSpec;
@@ -124,6 +127,25 @@ class HelpTest {
         assertEquals(List.of(), wrong);
         String about = String.join(" ", specOf(command).usageMessage().description());
         assertTrue(about.split("[ ,]")[0].endsWith("s"), about);
+    }
+
+    /**
+     * The folder of a bot and its deadlines. Without a folder are commands that other tools call with programs of
+     * theirs, and those whose words are names of a league's bots; deadlines of a league stand with its bots, and feed
+     * has none.
+     */
+    @ParameterizedTest
+    @CsvSource({"--in, add check feed match seeds sprt tune, games help play prune",
+        "--time-limit, add check match play seeds sprt tune, feed games help prune"})
+    void whatTakesABotTakesWhatBelongsToOne(String option, String having, String lacking) {
+        assertEquals(Map.of(true, having, false, lacking), all().stream().map(HelpTest::spec).filter(spec ->
+            spec.findOption("--bot") != null || spec.positionalParameters().stream()
+                .anyMatch(each -> each.paramLabel().matches("BOT|COMMAND")))
+            .sorted(Comparator.comparing(CommandSpec::name))
+            .collect(Collectors.partitioningBy(spec -> spec.findOption(option) != null,
+                Collectors.mapping(CommandSpec::name, Collectors.joining(" ")))));
+        assertEquals(List.of(), commands().stream().map(HelpTest::spec).filter(spec ->
+            (spec.findOption("--time-factor") == null) != (spec.findOption("--time-limit") == null)).toList());
     }
 
     @Test

@@ -1,7 +1,5 @@
 package steward.schema;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -9,7 +7,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -17,12 +17,19 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import steward.bot.command.CommandLine;
 
 /**
  * Lines of README and manual, run by a shell as they stand there, in a folder with the bots that they name; and the
- * examples of {@code src/examples} that need nothing else. A line is found on its page by how it begins. Only time
- * limits are longer than shown: the machine may be busy. It takes long because each line starts the program.
+ * examples of {@code src/examples} that need nothing else. Only time limits are longer than shown: the machine may be
+ * busy. It takes long because each line starts the program. A play is made of steps, one a line:
+ * <pre>
+ * PAGE ```LANGUAGE WORDS > FILE writes the block that begins so
+ * PAGE $ WORDS => STATUS TEXT   runs the line that begins so; it ends with the status and says what matches the text
+ * $ LINE => STATUS TEXT         runs a line of this table
+ * </pre>
  */
 @Tag("process")
 @Tag("slow")
@@ -30,13 +37,83 @@ import steward.bot.command.CommandLine;
 @Execution(ExecutionMode.CONCURRENT)
 class DocsCommandsTest {
 
-    private static final String FENCE = "```\\w*\\R(.*?)```";
-    private static final Path PILOT = Path.of("src/test/resources/codingame/pilot.py").toAbsolutePath();
-    /** End of a race by the rules: the lines name no seed, so on the map that is drawn either may win. */
-    private static final Pattern RACE_END = Pattern.compile("finished after 3 laps|is out: no checkpoint in 101 turns");
+    private static final Pattern STEP = Pattern.compile(
+        "(\\S+\\.md)? ?(?:```(\\w*)(?: (.*))? > (\\S+)|\\$ (.*?) => (\\d) ?(.*))");
+    /** The races name no seed, so on the map that is drawn either may win. */
+    private static final String RACE_END = "finished after 3 laps|is out: no checkpoint in 101 turns";
+    private static final String ROOT = Path.of("").toAbsolutePath().toString();
+    private static final String JAVA = CommandLine.quote(List.of(Path.of(System.getProperty("java.home"), "bin", "java")
+        .toString(), "-cp", System.getProperty("java.class.path")));
 
-    private static final String SCENES = "docs/scenes.md";
-    private static final String AT_REST = " turns, all bodies are slower than the scene's restBelow";
+    /**
+     * Without air a ball that falls h = 100 u at g = 2 arrives at t = 10 and jumps to e^2 h = 64 u, at t = 18. From the
+     * middle of its first parabola, at a speed of 1, the ball of drop falls n (n + 1) u in n turns: 690 u in turn 26.
+     */
+    private static final String PLAYS = """
+        README.md ```python > bot.py
+        README.md $ steward match --bot 'me=python3 bot.py' --bot builtin:racer => 0 RACE_END
+        README.md $ steward replay match.jsonl --verify => 0 verified:
+
+        docs/tables/simulate.md ``` 4 > tests.txt
+        docs/tables/simulate.md ``` 12755 > states.txt
+        docs/library.md $ steward simulate < tests.txt => 0 ^12755
+        $ steward simulate < tests.txt | cmp - states.txt => 0 ^$
+
+        $ JAVA "ROOT/src/examples/library/DroppedBall.java" > gaps.txt && wc -l < gaps.txt => 0 ^\\s*100$
+        $ awk '/^(10|18|100) / && ($2 - ($1 == 18) * 64)^2 > 1e-18' gaps.txt => 0 ^$
+
+        $ sh "ROOT/src/examples/shell/moving-picture.sh" => 0
+        $ head -c 4 corner.svg && grep -o '<animate' corner.svg | wc -l => 0 ^<svg\\s*(1[2-9]|[2-9]\\d|\\d{3})
+
+        docs/scenes.md ```json { "name": "drop" > drop.json
+        docs/scenes.md $ steward run drop.json => 0 turns, all bodies are slower than the scene's restBelow
+        docs/scenes.md $ steward replay drop.jsonl => 0 verified:
+        $ wc -c < drop.html && sed -n 2p drop/impacts.csv => 0 \\d{5,}\\s+26,
+        $ cp "ROOT/docs/scenes/plot.py" . => 0
+        docs/scenes.md $ python3 plot.py drop/states.csv y => 0
+        $ grep 'y \\[u\\]: 100 to 7' drop.svg => 0
+        $ echo $(grep -o 'points="[^"]*"' drop.svg | wc -w) $(sed 1d drop/states.csv | wc -l) => 0 ^(\\d+) \\1$
+
+        $ cp "ROOT/docs/scenes/break.json" "ROOT/docs/scenes/balls.csv" . => 0
+        $ steward run break.json --out break.jsonl => 0 turns, all bodies are slower than the scene's restBelow
+        $ grep -o '"kind":"death"' break.jsonl | wc -l => 0 ^\\s*3$
+        $ tr -s '[:space:]' ' ' < "ROOT/docs/scenes.md" => 0 `steward run break.json` pots three
+
+        docs/scenes.md ```json { "name": "my-bowl" > my-bowl.json
+        $ steward run my-bowl.json --seed 7 => 0 turns, all bodies are slower than the scene's restBelow
+        $ tr -s '[:space:]' ' ' < "ROOT/docs/scenes.md" => 0 to rest, as `steward run my-bowl.json --seed 7` does
+        """;
+
+    private static final String LONG_PLAYS = """
+        README.md ```python > bot.py
+        README.md $ steward match --bot 'me=python3 bot.py' --bot builtin:racer => 0 RACE_END
+        README.md $ steward replay match.jsonl --turn 57 => 0 57
+        docs/replays.md $ steward replay match.jsonl --impacts => 0 impulse
+        docs/replays.md $ steward replay match.jsonl --frames --player 0 => 0 ^\\{"type":"setup",
+        docs/watching.md $ steward replay match.jsonl --view match.html => 0
+        $ wc -c < match.html => 0 \\d{5}
+        docs/debugging.md $ steward feed match.jsonl --player racer -- builtin:veteran => 1 differs
+
+        $ cp "ROOT/src/test/resources/codingame/pilot.py" other.py => 0
+        $ printf '#!/bin/sh\\nexec python3 other.py\\n' > mine && chmod +x mine && cp mine a.out => 0
+        docs/protocol.md $ steward match --bot codingame:./a.out --bot builtin:racer => 0 RACE_END
+        docs/compatibility.md $ steward referee -p1 ./mine => 0
+        $ test -f game.json && steward replay match.jsonl --verify => 0 verified:
+
+        docs/scenes.md $ steward scene walled-race > my-scene.json => 0
+        docs/scenes.md $ steward explain my-scene.json => 0 "scene":"walled-race"
+
+        $ printf '#!/bin/sh\\ntest -z "$AN_OPINION$A_PASSWORD" || exit 3\\nexit 4\\n' > mine && chmod +x mine => 0
+        $ grep '^ *env -i .* steward match' "ROOT/docs/security.md" > hidden.sh => 0
+        $ sed 's/.* steward match/steward match/' hidden.sh > open.sh => 0
+        $ AN_OPINION=own sh hidden.sh => 0 exited with status 4
+        $ AN_OPINION=own sh open.sh => 0 exited with status 3
+        $ A_PASSWORD=secret sh open.sh => 0 exited with status 4
+
+        $ sh "ROOT/src/examples/shell/league-of-five.sh" > said.txt => 0
+        $ grep -o 'thrust[0-9]* ' said.txt | sort -u | tr -d 'thrus\\n' => 0 ^100 120 140 160 200
+        $ cat said.txt => 0 20 games of mad-pod-racing
+        """;
 
     @TempDir
     private Path folder;
@@ -52,152 +129,53 @@ class DocsCommandsTest {
             """);
     }
 
-    /** Plays a race of a page, with the README's bot and CodinGame's bot of the other tests as programs. */
-    private void race(String page, String begin) throws IOException, InterruptedException {
-        PageShell.need("python3");
-        Files.writeString(folder.resolve("bot.py"), PageShell.fenced("README.md", "```python\\R(.*?)```", 0));
-        for (String name : List.of("a.out", "mine")) {
-            shell.executable(name, "exec python3 " + CommandLine.quote(List.of(PILOT.toString())) + "\n");
+    static Stream<String> plays() {
+        return Stream.of(PLAYS.split("\n\n"));
+    }
+
+    static Stream<String> longPlays() {
+        return Stream.of(LONG_PLAYS.split("\n\n"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("plays")
+    void aPlayIsAsItIsShown(String steps) throws IOException, InterruptedException {
+        play(steps);
+    }
+
+    @ParameterizedTest
+    @MethodSource("longPlays")
+    @Tag("campaign")
+    void aLongPlayIsAsItIsShown(String steps) throws IOException, InterruptedException {
+        play(steps);
+    }
+
+    private void play(String steps) throws IOException, InterruptedException {
+        if (steps.matches("(?s).*(python3|league-of-five).*")) {
+            PageShell.need("python3");
         }
-        String said = shell.run(0, page, begin);
-        assertTrue(RACE_END.matcher(said).find(), () -> "expected a race that ends by the rules, found:\n" + said);
-    }
-
-    private void readmesRace() throws IOException, InterruptedException {
-        race("README.md", "steward match --bot 'me=python3 bot.py' --bot builtin:racer");
-    }
-
-    @Test
-    void theReadmesBotPlaysAndItsReplayVerifies() throws IOException, InterruptedException {
-        readmesRace();
-        shell.run(0, "README.md", "steward replay match.jsonl --verify", "verified: ");
-    }
-
-    @Test
-    @Tag("campaign")
-    void aReplayCanBeReadInEveryWay() throws IOException, InterruptedException {
-        readmesRace();
-        shell.run(0, "README.md", "steward replay match.jsonl --turn 57", "57");
-        shell.run(0, "docs/replays.md", "steward replay match.jsonl --impacts", "impulse");
-        String said = shell.run(0, "docs/replays.md", "steward replay match.jsonl --frames --player 0");
-        assertTrue(said.startsWith("{\"type\":\"setup\","), said);
-        shell.run(0, "docs/watching.md", "steward replay match.jsonl --view match.html");
-        assertTrue(Files.size(folder.resolve("match.html")) > 10_000);
-        shell.run(1, "docs/debugging.md", "steward feed match.jsonl --player racer -- builtin:veteran", "differs");
-    }
-
-    @Test
-    @Tag("campaign")
-    void aBotOfTheSitePlaysAlsoAsCgBrutaltesterCallsIt() throws IOException, InterruptedException {
-        race("docs/protocol.md", "steward match --bot codingame:./a.out --bot builtin:racer");
-        Files.copy(PILOT, folder.resolve("other.py"));
-        shell.run(0, "docs/compatibility.md", "steward referee -p1 ./mine");
-        assertTrue(Files.exists(folder.resolve("game.json")));
-        shell.runLine(0, "steward replay match.jsonl --verify", "verified: ");
-    }
-
-    @Test
-    void theTestOfASimulatorHasTheAnswerThatIsShown() throws IOException, InterruptedException {
-        Files.writeString(folder.resolve("tests.txt"), PageShell.fenced("docs/tables/simulate.md", FENCE, 0));
-        assertEquals(PageShell.fenced("docs/tables/simulate.md", FENCE, 1),
-            shell.run(0, "docs/library.md", "steward simulate < tests.txt"));
-    }
-
-    @Test
-    @Tag("campaign")
-    void aSceneIsExplainedAndAnEnvironmentCanBeLeftBehind() throws IOException, InterruptedException {
-        shell.run(0, SCENES, "steward scene walled-race > my-scene.json");
-        shell.run(0, SCENES, "steward explain my-scene.json", "\"scene\":\"walled-race\"");
-
-        // No interpreter here: where it is found through variables, as pyenv's may be, an empty environment hides it.
-        shell.executable("mine", "test -z \"$AN_OPINION$A_PASSWORD\" || exit 3\nexit 4\n");
-        String hidden = PageShell.line("docs/security.md", "env -i ");
-        String open = hidden.substring(hidden.indexOf("steward match"));
-        shell.runLine(0, "AN_OPINION=own " + hidden, "exited with status 4");
-        shell.runLine(0, "AN_OPINION=own " + open, "exited with status 3");
-        shell.runLine(0, "A_PASSWORD=secret " + open, "exited with status 4");
-    }
-
-    private String example(String program, String name, String... expected) throws IOException, InterruptedException {
-        return shell.runLine(0, program + " " + CommandLine.quote(List.of(Path.of("src/examples", name).toAbsolutePath()
-            .toString())), expected);
-    }
-
-    /** Without air a ball that falls h = 100 u at g = 2 arrives at t = 10 and jumps to e^2 h = 64 u, at t = 18. */
-    @Test
-    void aDroppedBallJumpsToTheSquareOfItsRestitution() throws IOException, InterruptedException {
-        String java = CommandLine.quote(List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-            "-cp", System.getProperty("java.class.path")));
-        double[] gaps = example(java, "library/DroppedBall.java").strip().lines()
-            .mapToDouble(line -> Double.parseDouble(line.split(" ")[1])).toArray();
-        assertEquals(100, gaps.length);
-        assertArrayEquals(new double[] {0, 64, 0}, new double[] {gaps[9], gaps[17], gaps[99]}, 1e-9);
-    }
-
-    @Test
-    void aSceneOfOnesOwnBecomesAMovingPicture() throws IOException, InterruptedException {
-        example("sh", "shell/moving-picture.sh");
-        String picture = Files.readString(folder.resolve("corner.svg"));
-        assertTrue(picture.startsWith("<svg") && picture.split("<animate").length > 12, "12 discs move");
-    }
-
-    @Test
-    @Tag("campaign")
-    void fiveVersionsPlayALeague() throws IOException, InterruptedException {
-        PageShell.need("python3");
-        example("sh", "shell/league-of-five.sh", " thrust100 ", " thrust120 ", " thrust140 ", " thrust160 ",
-            " thrust200 ", "20 games of mad-pod-racing");
-    }
-
-    /** Puts a scene of the page of scenes into the folder. */
-    private void scene(String name) throws IOException {
-        Files.writeString(folder.resolve(name + ".json"),
-            PageShell.fenced(SCENES, "```json\\R(\\{ \"name\": \"" + name + "\".*?)```", 0));
-    }
-
-    private static void assertSays(String words) throws IOException {
-        assertTrue(Files.readString(Path.of(SCENES)).replaceAll("\\s+", " ").contains(words), words);
-    }
-
-    /** From the middle of its first parabola, at a speed of 1, it falls n (n + 1) u in n turns: 690 u in turn 26. */
-    @Test
-    void aBallIsDroppedAndPlotted() throws IOException, InterruptedException {
-        PageShell.need("python3");
-        Files.copy(Path.of("docs/scenes/plot.py"), folder.resolve("plot.py"));
-        scene("drop");
-        shell.run(0, SCENES, "steward run drop.json", AT_REST);
-        shell.run(0, SCENES, "steward replay drop.jsonl", "verified: ");
-        assertTrue(Files.size(folder.resolve("drop.html")) > 10_000);
-        assertEquals("26", Files.readAllLines(folder.resolve("drop/impacts.csv")).get(1).split(",")[0]);
-        shell.run(0, SCENES, "python3 plot.py drop/states.csv y");
-        String plot = Files.readString(folder.resolve("drop.svg"));
-        assertTrue(plot.contains("y [u]: 100 to 7"), plot);
-        assertEquals(Files.readAllLines(folder.resolve("drop/states.csv")).size() - 1,
-            plot.split("points=\"")[1].split("\"")[0].split(" ").length);
-    }
-
-    @Test
-    void aBreakHasPockets() throws IOException, InterruptedException {
-        for (String file : List.of("break.json", "balls.csv")) {
-            Files.copy(Path.of("docs/scenes", file), folder.resolve(file));
+        for (String line : steps.lines().toList()) {
+            Matcher step = STEP.matcher(line);
+            assertTrue(step.matches(), line);
+            if (step.group(4) != null) {
+                String begin = step.group(3) == null ? "" : Pattern.quote(step.group(3));
+                Files.writeString(folder.resolve(step.group(4)), PageShell.fenced(step.group(1), "```" + step.group(2)
+                    + "\\R(" + begin + ".*?)```", 0));
+                continue;
+            }
+            String call = step.group(1) != null ? PageShell.line(step.group(1), step.group(5))
+                : step.group(5).replace("ROOT", ROOT).replace("JAVA", JAVA);
+            String said = shell.runLine(Integer.parseInt(step.group(6)), call);
+            String expected = step.group(7).replace("RACE_END", RACE_END);
+            assertTrue(Pattern.compile(expected).matcher(said).find(), () -> line + "\n" + said);
         }
-        shell.runLine(0, "steward run break.json --out break.jsonl", AT_REST);
-        assertSays("`steward run break.json` pots three");
-        assertEquals(3, Files.readString(folder.resolve("break.jsonl")).split("\"kind\":\"death\"", -1).length - 1);
     }
 
     @Test
-    void theDiscsOfABowlComeToRest() throws IOException, InterruptedException {
-        scene("my-bowl");
-        shell.runLine(0, "steward run my-bowl.json --seed 7", AT_REST);
-        assertSays("It comes to rest, as `steward run my-bowl.json --seed 7` does");
-    }
-
-    @Test
-    void aLineThatFailsIsFound() throws IOException {
-        Files.writeString(folder.resolve("match.jsonl"), "no replay\n");
-        assertThrows(AssertionError.class, () -> shell.run(0, "README.md", "steward replay match.jsonl --verify"));
-        assertThrows(AssertionError.class, () -> shell.runLine(0, "steward --version", "no such words"));
-        assertThrows(AssertionError.class, () -> PageShell.line("README.md", "steward nothing"));
+    void aLineThatFailsIsFound() {
+        for (String line : List.of("README.md $ steward replay match.jsonl --verify => 0", "$ true => 0 no such words",
+                "README.md $ steward nothing => 0")) {
+            assertThrows(AssertionError.class, () -> play(line), line);
+        }
     }
 }

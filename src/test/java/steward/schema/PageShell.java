@@ -72,7 +72,7 @@ final class PageShell {
 
     /** Lines in code blocks of the page that begin so. */
     static List<String> lines(String page, String begin) {
-        return MarkdownPage.read(page).code().stream().map(MarkdownPage.Piece::text)
+        return MarkdownPage.read(page).code()
             .filter(text -> text.startsWith(begin)).toList();
     }
 
