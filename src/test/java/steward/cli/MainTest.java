@@ -93,7 +93,7 @@ class MainTest {
         "steward match --bot builtin : ve | veteran",
         "steward match --bot me = builtin : ra | racer", "steward match --scene w | walled-race",
         "steward match --keep f | failed", "steward match --threads a | auto", "steward stability --rung e | exact",
-        "steward stability --case ro | rounding", "steward stability --case mi | mirror\\ images",
+        "steward stability --case ti | ties", "steward stability --case mi | mirror\\ images",
         "steward bench --only cr | crowds", "steward tradeoff --scene w | walled-race",
         "steward scene du | duel", "steward explain du | duel",
         "steward demo --accuracy do | double", "steward play --json-league builtin : v | veteran",
