@@ -51,7 +51,7 @@ class OutputTableTest {
         Pattern.compile("(\"answerNanos\":)\\[[^]]*]"));
     /** Lines of the standard error that depend on the machine and its user. */
     private static final Pattern MACHINE = Pattern.compile("^! .*(" + SandboxOptions.NOT_APART
-        + "|that use a processor out of turn are|warning: (level light|this is root)"
+        + "|that use a processor out of turn are|warning: (level light|this is root)|^! step [0-9]+: "
         + "|are more games at a time)|^! LLR ");
     private static final Pattern HEAD = Pattern.compile("(?:average|mean|p99|worst|first) ms|worst in");
 
