@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import steward.cli.streams.Colour;
 import steward.cli.streams.Streams;
-import steward.lab.cli.bench.RunProgress;
+import steward.lab.cli.shared.RunProgress;
 import steward.lab.stability.StabilityRow;
 import steward.lab.trial.Finding;
 import steward.text.TextFormat;

@@ -26,6 +26,8 @@ import steward.lab.bench.BenchFiles;
 import steward.lab.bench.Effort;
 import steward.lab.bench.Row;
 import steward.lab.bench.Section;
+import steward.lab.cli.shared.RunProgress;
+import steward.lab.cli.shared.TableFolder;
 import steward.lab.timing.Machine;
 import steward.text.TextFormat;
 

@@ -1,4 +1,4 @@
-package steward.lab.cli.bench;
+package steward.lab.cli.shared;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;

@@ -1,4 +1,4 @@
-package steward.lab.cli.bench;
+package steward.lab.cli.shared;
 
 import java.util.concurrent.atomic.AtomicInteger;
 import steward.cli.streams.ProgressLine;

@@ -1,4 +1,4 @@
-package steward.lab.cli.bench;
+package steward.lab.cli.shared;
 
 import java.io.IOException;
 import java.nio.file.Files;

@@ -1,0 +1,2 @@
+/** Parts of several commands of the lab. */
+package steward.lab.cli.shared;
