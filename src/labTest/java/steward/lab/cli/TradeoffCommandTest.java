@@ -74,7 +74,9 @@ class TradeoffCommandTest {
             .redirectOutput(folder.resolve("table").toFile()).start();
         try {
             Path json = out.resolve("tradeoff.json");
-            for (int k = 0; k < 1200 && (!Files.exists(json) || !Files.readString(json).contains("grazing")); k++) {
+            Path csv = out.resolve("tradeoff.csv");
+            for (int k = 0; k < 1200 && (!Files.exists(json) || !Files.readString(json).contains("grazing")
+                || Files.readAllLines(csv).size() <= Accuracy.ladder().size()); k++) {
                 Thread.sleep(50);
             }
         } finally {
