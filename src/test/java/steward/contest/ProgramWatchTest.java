@@ -28,7 +28,10 @@ import steward.match.MatchResult;
 import steward.match.Protocol;
 import steward.match.TestScenes;
 
-/** Programs that are rebuilt, touched and missing while games are played. */
+/**
+ * Programs that are rebuilt, touched and missing while games are played. It takes long because a change is a version
+ * once it has lain still.
+ */
 @Tag("slow")
 @Timeout(120)
 @Execution(ExecutionMode.CONCURRENT)

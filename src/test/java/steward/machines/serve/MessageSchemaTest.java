@@ -49,8 +49,8 @@ import steward.scene.RungLaw;
 
 /**
  * All that a league and a worker say is as the schema says. A made-up worker writes down the league's messages; then a
- * made-up league says the same to a real worker. It takes long because the league has so many games
- * that a worker joins in time.
+ * made-up league says the same to a real worker. It takes long because the league has so many games that a worker joins
+ * in time.
  */
 @Tag("process")
 @Tag("slow")

@@ -17,8 +17,7 @@ import tools.jackson.databind.JsonNode;
 
 /**
  * The page in a real browser: what it draws, against the numbers of the replay. One long file: all of its tests look at
- * the page of one race. It takes long because each test
- * opens the page anew.
+ * the page of one race. It takes long because each test opens the page anew.
  */
 class PageTest extends PageTestCase {
 

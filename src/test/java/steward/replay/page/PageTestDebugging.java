@@ -15,7 +15,10 @@ import org.junit.jupiter.api.Test;
 import org.openqa.selenium.Keys;
 import steward.match.TestScenes;
 
-/** The page as a tool to find out what happened: happenings, moments, bodies, camera, keys. */
+/**
+ * The page as a tool to find out what happened: happenings, moments, bodies, camera, keys. It takes long because each
+ * test opens the page anew.
+ */
 class PageTestDebugging extends PageTestCase {
 
     private static Path page;

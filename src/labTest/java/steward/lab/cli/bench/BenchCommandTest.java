@@ -19,7 +19,10 @@ import steward.lab.bench.Section;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Output, files and refusals of {@code steward bench}; no test depends on how fast anything is. */
+/**
+ * Output, files and refusals of {@code steward bench}; no test depends on how fast anything is. It takes long because
+ * a measurement warms up and repeats, however small it is.
+ */
 @Execution(ExecutionMode.CONCURRENT)
 class BenchCommandTest {
 
