@@ -48,7 +48,7 @@ public final class HeapSection implements Section {
     @Override
     public String about() {
         return "Turns of a heap at rest by CPU time: discs whose radii differ by 4%, with restitution 0.5, between a"
-            + " floor and two walls, as high as wide, after five times their gravity has laid them there.";
+            + " floor and two walls, as high as wide. Five times their gravity has laid them there.";
     }
 
     private static List<Integer> counts(Effort effort) {
