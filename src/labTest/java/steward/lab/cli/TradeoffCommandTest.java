@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
@@ -65,6 +66,7 @@ class TradeoffCommandTest {
     @Test
     @Tag("process")
     @Tag("campaign")
+    @Timeout(600)
     void whatWasMeasuredIsKept() throws IOException, InterruptedException {
         Path out = folder.resolve("results");
         Path errors = folder.resolve("errors");
@@ -75,8 +77,8 @@ class TradeoffCommandTest {
         try {
             Path json = out.resolve("tradeoff.json");
             Path csv = out.resolve("tradeoff.csv");
-            for (int k = 0; k < 1200 && (!Files.exists(json) || !Files.readString(json).contains("grazing")
-                || Files.readAllLines(csv).size() <= Accuracy.ladder().size()); k++) {
+            while (run.isAlive() && (!Files.exists(json) || !Files.readString(json).contains("grazing")
+                || Files.readAllLines(csv).size() <= Accuracy.ladder().size())) {
                 Thread.sleep(50);
             }
         } finally {
