@@ -77,7 +77,7 @@ class ArchitectureTest {
             "cli.Plays -> contest.Contest#play"),
         LEAGUE_PLAYERS("not league.play.LeagueRun", "league.play.GamePlay#play",
             "cli.Plays -> league.play.GamePlay#play"),
-        /** What plays more than one game watches the programs of its bots, and nothing else does so. */
+        /** Programs of bots are watched by all that plays more than one game, and by nothing else. */
         WATCHED("not contest.PairedPlay contest.SeriesPlay league.play.LeagueRun",
             "contest.ProgramWatch#await league.play.RosterWatch#look", "cli.Watches -> contest.ProgramWatch#await"),
         /** No other command needs the time to load it. */

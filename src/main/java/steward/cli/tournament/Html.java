@@ -8,7 +8,7 @@ import steward.replay.page.ReplayPage;
 final class Html {
 
     static final String END = "</main></body></html>\n";
-    private static final String STYLE = "/steward/tournament/page.css";
+    private static final String STYLE = PageTemplate.BASE_STYLE + Resources.text("/steward/tournament/page.css");
     private static final String SCRIPT = PageTemplate.script("/steward/tournament/author.js");
 
     /** The page without scripts up to its heading. */
@@ -29,12 +29,11 @@ final class Html {
     }
 
     private static String head(String title, String scripts, String styles) {
-        String style = Resources.text(STYLE);
         String plain = escape(title);
         return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
             + "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-            + PageTemplate.hash(style) + styles + scripts + "; img-src data:\"><meta name=\"viewport\" content=\"width="
-            + "device-width, initial-scale=1\"><link rel=\"icon\" href=\"data:,\"><style>" + style + "</style><title>"
+            + PageTemplate.hash(STYLE) + styles + scripts + "; img-src data:\"><meta name=\"viewport\" content=\"width="
+            + "device-width, initial-scale=1\"><link rel=\"icon\" href=\"data:,\"><style>" + STYLE + "</style><title>"
             + plain + "</title></head><body><main><h1>" + plain + "</h1>";
     }
 

@@ -22,8 +22,9 @@ public final class PageTemplate {
     private static final String LIBRARY = Resources.text(OF_REPLAYS + "uPlot.js") + "\n"
         + Resources.text(OF_REPLAYS + "gifenc.js");
     private static final String PACKED_LIBRARY = ReplayPage.embedded(LIBRARY.getBytes(StandardCharsets.UTF_8));
-    private static final String COMMON_STYLE = Resources.text(OF_REPLAYS + "uPlot.css")
-        + Resources.text(OF_REPLAYS + "base.css");
+    /** Colours and letters of all pages, also of those without scripts. */
+    public static final String BASE_STYLE = Resources.text(OF_REPLAYS + "base.css");
+    private static final String COMMON_STYLE = Resources.text(OF_REPLAYS + "uPlot.css") + BASE_STYLE;
     /** A module for a game whose jar is installed: it calls {@code addLook} of {@code ../view/looks.js}. */
     private static final String LOOK_OF_GAME = "/steward/looks/%s.js";
     private static final Pattern GAME = Pattern.compile("[a-z0-9-]{1,60}");
