@@ -2,6 +2,7 @@ package steward.lab.bench;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import steward.lab.timing.TimedPlace;
 import steward.lab.timing.Timing;
@@ -15,26 +16,15 @@ import steward.numerics.Median;
  * @param section    that the rows belong to
  * @param unit       of the work
  * @param contenders the textbook's way first
- * @param remark     for the note of each row
+ * @param remark     for the note of each row, by the samples and the contender's number; may be empty
  */
-public record Comparison(String section, String unit, List<Contender> contenders, Remark remark) {
+public record Comparison(String section, String unit, List<Contender> contenders,
+                         BiFunction<TimingSamples, Integer, String> remark) {
 
     /** A ratio whose rounds differ by more is not to be compared: tables are for differences beyond this. */
     private static final double COMPARABLE = 1.25;
     /** With fewer rounds ratios are not compared; of each so many the lowest and the highest do not count. */
     private static final int MANY_ROUNDS = 5;
-
-    /** Makes a remark on a contender, which may be empty. */
-    @FunctionalInterface
-    public interface Remark {
-
-        /** @param contender its number */
-        String of(TimingSamples samples, int contender);
-    }
-
-    public Comparison(String section, String unit, List<Contender> contenders) {
-        this(section, unit, contenders, (samples, contender) -> "");
-    }
 
     /** Remark on how much longer than the first each takes: the median of the rounds' ratios, and the difference. */
     public static String paired(TimingSamples samples, int contender) {
@@ -57,7 +47,7 @@ public record Comparison(String section, String unit, List<Contender> contenders
     private void report(TimingSamples samples, int rounds, Consumer<Row> rows) {
         for (int k = 0; k < contenders.size(); k++) {
             rows.accept(new Row(section, contenders.get(k).name(), unit, TimedPlace.NANOS / samples.median(k),
-                contenders.size() == 1 ? Double.NaN : samples.ratio(0, k), samples.bytes(k), remark.of(samples, k))
+                contenders.size() == 1 ? Double.NaN : samples.ratio(0, k), samples.bytes(k), remark.apply(samples, k))
                 .remark(samples.rounds() < rounds ? samples.rounds() + " of " + rounds + " rounds" : "")
                 .remark(k == 0 ? "" : caution(samples.ratios(0, k), rounds)));
         }

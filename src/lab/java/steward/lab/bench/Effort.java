@@ -26,7 +26,7 @@ public enum Effort {
 
     /** Returns the usual warm-up before few rounds, for those that take many seconds each. */
     public TimingEffort few() {
-        return timing.withRounds(few);
+        return new TimingEffort(1, few, timing.round(), timing.warmLeast(), timing.warmMost());
     }
 
     /** Returns so many rounds in which programs are started, a tenth of them if quick, after a second of warm-up. */

@@ -39,10 +39,9 @@ public final class PerformancePage {
     private static void table(StringBuilder page, List<Row> rows) {
         page.append("| | a second | | each | ratio | bytes | |\n|---|---:|---|---:|---:|---:|---|\n");
         for (Row row : rows) {
-            page.append("| ").append(row.name()).append(" | ").append(count(row.perSecond())).append(" | ")
-                .append(row.unit()).append(" | ").append(time(row.nanos())).append(" | ").append(ratio(row.ratio()))
-                .append(" | ").append(Double.isNaN(row.bytes()) ? "" : count(row.bytes())).append(" | ")
-                .append(row.note()).append(" |\n");
+            page.append("| ").append(String.join(" | ", row.name(), count(row.perSecond()), row.unit(),
+                time(row.nanos()), Double.isNaN(row.ratio()) ? "" : String.format(Locale.ROOT, "%.2f", row.ratio()),
+                Double.isNaN(row.bytes()) ? "" : count(row.bytes()), row.note())).append(" |\n");
         }
     }
 
@@ -78,9 +77,5 @@ public final class PerformancePage {
         return nanos < 1e3 ? String.format(Locale.ROOT, "%.0f ns", nanos)
             : nanos < 1e6 ? String.format(Locale.ROOT, "%.2f us", nanos / 1e3)
             : String.format(Locale.ROOT, "%.2f ms", nanos / 1e6);
-    }
-
-    static String ratio(double ratio) {
-        return Double.isNaN(ratio) ? "" : String.format(Locale.ROOT, "%.2f", ratio);
     }
 }

@@ -14,19 +14,19 @@ import java.util.function.Function;
  * Loop of the other JVM of a timing: it reads its job, then obeys orders until its input ends. The input also ends when
  * the first JVM does.
  *
- * <p>The job comes first. Then each order is a byte and its arguments: {@link #WARM_UP} with the seconds at least and
- * at most, {@link #ROUND} with the seconds at least. Every answer, also to the job, is {@link #DONE} with the
- * nanoseconds and bytes of a turn (0 if none was measured), or {@link #FAILED} with a message.
+ * <p>The job comes first. Then each order is two numbers, the seconds at least and at most of a warm-up, or the seconds
+ * at least of a round and NaN. Every answer, also to the job, is {@code true} with the nanoseconds and bytes of a turn
+ * in the latest round (0 if none was measured), or {@code false} with a message.
  */
 public final class TimingChild {
 
-    static final byte WARM_UP = 1;
-    static final byte ROUND = 2;
-    static final byte DONE = 3;
-    static final byte FAILED = 4;
-    private static final Stretch NONE = new Stretch(0, 0);
-
     private TimingChild() { }
+
+    /** @param most NaN to order a round */
+    static void order(DataOutputStream to, double least, double most) throws IOException {
+        to.writeDouble(least);
+        to.writeDouble(most);
+    }
 
     /**
      * Serves until the input ends.
@@ -40,26 +40,26 @@ public final class TimingChild {
         try (DataOutputStream out = new DataOutputStream(new BufferedOutputStream(output))) {
             try {
                 TimedPlace place = new WorkTimer(open.apply(RungJob.read(in)));
-                for (Stretch measured = NONE;; measured = obey(in.readByte(), in, place)) {
-                    out.writeByte(DONE);
+                Stretch measured = new Stretch(0, 0);
+                while (true) {
+                    out.writeBoolean(true);
                     out.writeDouble(measured.nanos());
                     out.writeDouble(measured.bytes());
                     out.flush();
+                    double least = in.readDouble();
+                    double most = in.readDouble();
+                    if (Double.isNaN(most)) {
+                        measured = place.round(least);
+                    } else {
+                        place.warmUp(least, most);
+                    }
                 }
             } catch (EOFException over) {
                 return;
             } catch (Exception | LinkageError problem) {
-                out.writeByte(FAILED);
+                out.writeBoolean(false);
                 out.writeUTF(problem.toString());
             }
         }
-    }
-
-    private static Stretch obey(byte word, DataInputStream in, TimedPlace place) throws Exception {
-        if (word == ROUND) {
-            return place.round(in.readDouble());
-        }
-        place.warmUp(in.readDouble(), in.readDouble());
-        return NONE;
     }
 }

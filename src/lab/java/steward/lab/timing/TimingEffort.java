@@ -17,18 +17,6 @@ public record TimingEffort(int repeats, int rounds, double round, double warmLea
     /** One JVM of each kind: a first look. */
     public static final TimingEffort QUICK = new TimingEffort(1, 5, 0.01, 0.2, 1);
 
-    /** @throws IllegalArgumentException if nothing would be measured */
-    public TimingEffort {
-        if (repeats < 1 || rounds < 1) {
-            throw new IllegalArgumentException(repeats + " repeats of " + rounds + " rounds, expected at least 1");
-        }
-    }
-
-    /** Returns the same with another number of rounds. */
-    public TimingEffort withRounds(int number) {
-        return new TimingEffort(repeats, number, round, warmLeast, warmMost);
-    }
-
     /** Returns how many steps of progress a timing of so many jobs makes. */
     public int steps(int jobs) {
         return repeats * (jobs + rounds);

@@ -58,7 +58,7 @@ final class TimingJvm implements TimedPlace {
         try {
             question.write(out);
             out.flush();
-            if (in.readByte() != TimingChild.DONE) {
+            if (!in.readBoolean()) {
                 throw new IOException(in.readUTF());
             }
             return new Stretch(in.readDouble(), in.readDouble());
@@ -92,19 +92,12 @@ final class TimingJvm implements TimedPlace {
 
     @Override
     public void warmUp(double least, double most) {
-        ask(to -> {
-            to.writeByte(TimingChild.WARM_UP);
-            to.writeDouble(least);
-            to.writeDouble(most);
-        });
+        ask(to -> TimingChild.order(to, least, most));
     }
 
     @Override
     public Stretch round(double least) {
-        return ask(to -> {
-            to.writeByte(TimingChild.ROUND);
-            to.writeDouble(least);
-        });
+        return ask(to -> TimingChild.order(to, least, Double.NaN));
     }
 
     @Override

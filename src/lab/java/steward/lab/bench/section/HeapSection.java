@@ -26,9 +26,8 @@ import steward.physics.event.QueueAdvance;
 public final class HeapSection implements Section {
 
     private static final long SEED = 1;
-    private static final List<Integer> FEW = List.of(50, 200);
-    private static final List<Integer> MANY = List.of(50, 200, 1000);
-    private static final List<Integer> MOST = List.of(50, 200, 1000, 5000);
+    /** Sizes of the heaps: the first two for the least {@link Effort}, one more for each higher one. */
+    private static final List<Integer> BODIES = List.of(50, 200, 1000, 5000);
     private static final double RADIUS = 15.4;
     private static final double SMALLER = 0.6;
     private static final double WIDE = 31;
@@ -52,7 +51,7 @@ public final class HeapSection implements Section {
     }
 
     private static List<Integer> counts(Effort effort) {
-        return effort == Effort.QUICK ? FEW : effort == Effort.LONG ? MOST : MANY;
+        return BODIES.subList(0, 2 + effort.ordinal());
     }
 
     @Override

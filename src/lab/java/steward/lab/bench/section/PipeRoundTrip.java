@@ -29,22 +29,18 @@ final class PipeRoundTrip implements AutoCloseable {
     /**
      * Sends lines and waits for one line.
      *
-     * @return how many bytes were received
      * @throws IOException if the program has ended
      */
-    int exchange(byte[] lines, int length) throws IOException {
-        input.write(lines, 0, length);
+    void exchange(byte... lines) throws IOException {
+        input.write(lines);
         input.flush();
-        for (int count = 0;;) {
-            int came = output.read(buffer, 0, buffer.length);
+        int came;
+        do {
+            came = output.read(buffer);
             if (came <= 0) {
                 throw new EOFException("the program has ended");
             }
-            count += came;
-            if (buffer[came - 1] == '\n') {
-                return count;
-            }
-        }
+        } while (buffer[came - 1] != '\n');
     }
 
     /** Closes its input and waits for it to exit. */

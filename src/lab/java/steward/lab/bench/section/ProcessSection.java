@@ -120,8 +120,8 @@ public record ProcessSection(MatchFixture fixture, GameSetup longGame, int longT
             long start = 0;
             for (int turn = 0; turn < longTurns; turn++) {
                 start = turn == WARM_TURNS ? clock.nanos() : start;
-                one.exchange(frame, frame.length);
-                other.exchange(frame, frame.length);
+                one.exchange(frame);
+                other.exchange(frame);
             }
             return turns(start, clock.nanos());
         }
@@ -156,9 +156,9 @@ public record ProcessSection(MatchFixture fixture, GameSetup longGame, int longT
     private Stretch twoShells() throws IOException {
         long start = System.nanoTime();
         try (PipeRoundTrip one = new PipeRoundTrip(shell)) {
-            one.exchange(LINE, 1);
+            one.exchange(LINE);
             try (PipeRoundTrip other = new PipeRoundTrip(shell)) {
-                other.exchange(LINE, 1);
+                other.exchange(LINE);
             }
         }
         return new Stretch(System.nanoTime() - start, Double.NaN);

@@ -109,22 +109,14 @@ public final class BenchCommand extends ProgramCommand {
         } else {
             brief.that(Files.isDirectory(OutputFiles.path(tools)), "--tools: found no folder '" + tools + "'");
         }
-        if (out == null) {
-            try (Interruption interruption = new Interruption(streams, () -> stopped("what was measured is above"))) {
-                int status = measure(sections, null);
-                interruption.over();
-                return status;
-            }
-        }
-        Path folder = OutputFiles.path(out);
-        try (BenchFiles files = tables.start(folder, BenchFiles.ALL, List.of(BenchFiles.PAGE),
+        Path folder = out == null ? null : OutputFiles.path(out);
+        try (BenchFiles files = out == null ? null : tables.start(folder, BenchFiles.ALL, List.of(BenchFiles.PAGE),
                     () -> new BenchFiles(folder, Machine.line(), LocalDate.now(ZoneOffset.UTC).toString()));
-                Interruption interruption = new Interruption(streams,
-                    () -> stopped("the rows so far are in " + folder))) {
+                Interruption interruption = new Interruption(streams, () -> stopped(out == null
+                    ? "what was measured is above" : "the rows so far are in " + folder))) {
             int status = measure(sections, files);
-            if (!interrupted) {
+            if (files != null && !interrupted) {
                 files.finish(sections);
-                interruption.over();
             }
             return status;
         }
@@ -185,11 +177,7 @@ public final class BenchCommand extends ProgramCommand {
                     if (files != null) {
                         files.add(row);
                     }
-                    if (streams.errTerminal()) {
-                        table.hold(row);
-                    } else {
-                        table.add(row);
-                    }
+                    table.add(row);
                 });
             } catch (Exception | OutOfMemoryError problem) {
                 if (interrupted) {

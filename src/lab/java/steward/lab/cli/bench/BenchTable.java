@@ -27,19 +27,18 @@ final class BenchTable {
         streams.out().flush();
     }
 
-    /** Holds a row back while a progress line is in its place. */
-    synchronized void hold(Row row) {
+    /** Prints a row, or holds it back while a progress line is in its place. */
+    synchronized void add(Row row) {
         held.add(row);
+        if (!streams.errTerminal()) {
+            release();
+        }
     }
 
     /** Prints the rows that were held back; also when the run is interrupted. */
     synchronized void release() {
-        held.forEach(this::add);
-        held.clear();
-    }
-
-    void add(Row row) {
-        streams.out().println(BenchFiles.COLUMNS.lines(List.of(row)).get(1));
+        held.forEach(row -> streams.out().println(BenchFiles.COLUMNS.lines(List.of(row)).get(1)));
         streams.out().flush();
+        held.clear();
     }
 }
