@@ -262,14 +262,8 @@ public record Contest(GameSetup setup, List<Entrant> entrants, TimeControl time,
     }
 
     private static TimeControl timeControl(GameSetup setup, double factor) {
-        if (factor == Double.POSITIVE_INFINITY) {
-            return TimeControl.UNLIMITED;
-        }
-        try {
-            return TimeControl.of(setup.scene().time(), factor);
-        } catch (IllegalArgumentException problem) {
-            throw new InputException(problem.getMessage());
-        }
+        return factor == Double.POSITIVE_INFINITY ? TimeControl.UNLIMITED
+            : InputException.of(() -> TimeControl.of(setup.scene().time(), factor));
     }
 
     private static List<Entrant> entrants(List<String> bots, List<Path> folders, Protocol usual) {

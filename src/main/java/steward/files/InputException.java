@@ -1,6 +1,8 @@
 package steward.files;
 
 import java.util.List;
+import java.util.function.Supplier;
+import steward.scene.json.SceneException;
 
 /** Exception for a call or an input that cannot be used; the message says what was found and what was expected. */
 public final class InputException extends RuntimeException implements Remedied {
@@ -24,6 +26,20 @@ public final class InputException extends RuntimeException implements Remedied {
         super(parameter + ": " + problem);
         this.parameter = parameter;
         remedies = List.of();
+    }
+
+    /** Returns what is read; where a reader refuses it, that refusal is this. */
+    public static <T> T of(Supplier<T> reader) {
+        return of("", reader);
+    }
+
+    /** As above. @param before begins the message */
+    public static <T> T of(String before, Supplier<T> reader) {
+        try {
+            return reader.get();
+        } catch (IllegalArgumentException | SceneException refusal) {
+            throw new InputException(before + refusal.getMessage());
+        }
     }
 
     /** The parameter, or {@code null}. */

@@ -68,13 +68,9 @@ final class CalibrationRun {
     }
 
     static CalibrationRun of(Streams streams, GameSetup setup, Path file, int states, Timing<RungJob> timing) {
-        try {
-            return new CalibrationRun(streams, setup, file,
-                new Calibration(setup, seed -> new SeededPlay(setup, setup.pilot(Pilot.Aim.WIN), seed), states),
-                timing);
-        } catch (IllegalArgumentException problem) {
-            throw new InputException("--calibrate: " + setup.scene().name() + ": " + problem.getMessage());
-        }
+        return InputException.of("--calibrate: " + setup.scene().name() + ": ", () -> new CalibrationRun(streams, setup,
+            file, new Calibration(setup, seed -> new SeededPlay(setup, setup.pilot(Pilot.Aim.WIN), seed), states),
+            timing));
     }
 
     /** Checks that the figures can be written. */

@@ -84,7 +84,8 @@ final class AddCommand extends ProgramCommand {
             + platform + ", expected one for this machine, which is " + Platform.here());
         check.that(!same || limit == null, "--time-limit: expected none with --same: it is that of the version");
         check.that(!same || !random, "--random: expected none with --same: the bot draws by lot or not");
-        OwnLimits limits = limits();
+        OwnLimits limits = limit == null ? null
+            : InputException.of("--time-limit: ", () -> OwnLimits.parse(limit));
         LeagueFolder folder = league.openToWrite(streams);
         if (files != null && bots.size() > 1) {
             throw new InputException("--file: found " + bots.size() + " bots with it, expected one");
@@ -96,14 +97,6 @@ final class AddCommand extends ProgramCommand {
             }
         }
         return ExitStatus.DONE;
-    }
-
-    private OwnLimits limits() {
-        try {
-            return limit == null ? null : OwnLimits.parse(limit);
-        } catch (IllegalArgumentException problem) {
-            throw new InputException("--time-limit: " + problem.getMessage());
-        }
     }
 
     private int add(LeagueFolder folder, String bot, OwnLimits limits) throws InterruptedException {
@@ -166,12 +159,7 @@ final class AddCommand extends ProgramCommand {
     }
 
     private LeagueBot parsed(String bot) {
-        BotCommand command;
-        try {
-            command = BotCommand.parse(bot);
-        } catch (IllegalArgumentException problem) {
-            throw new InputException(problem.getMessage());
-        }
+        BotCommand command = InputException.of(() -> BotCommand.parse(bot));
         String name = command.displayName(folders.folder());
         if (!LeagueReader.NAME.matcher(name).matches()) {
             throw new InputException("bot '" + bot + "': found the name '" + name + "', expected "

@@ -75,12 +75,10 @@ public final class TimeLimitOptions {
             String name = typed.substring(0, sign);
             check.that(bots.contains(name), TIME_LIMIT + ": found no bot '" + name + "', expected one of "
                 + String.join(", ", new LinkedHashSet<>(bots)) + NearestName.question(name, List.copyOf(bots), "'"));
-            try {
-                check.that(own.put(name, OwnLimits.parse(typed.substring(sign + 1))) == null, TIME_LIMIT + ": found '"
-                    + name + "' a second time, expected each bot once");
-            } catch (IllegalArgumentException problem) {
-                throw new InputException(TIME_LIMIT + " " + name + ": " + problem.getMessage());
-            }
+            OwnLimits limits = InputException.of(TIME_LIMIT + " " + name + ": ",
+                () -> OwnLimits.parse(typed.substring(sign + 1)));
+            check.that(own.put(name, limits) == null, TIME_LIMIT + ": found '" + name
+                + "' a second time, expected each bot once");
         }
         return own;
     }

@@ -173,14 +173,10 @@ public final class FeedCommand extends ProgramCommand {
     private BotCommand bot(Protocol recorded) {
         Protocol usual = protocol == null ? recorded : protocol;
         BotCommand.Prefix prefix = usual == Protocol.CODINGAME ? BotCommand.Prefix.CODINGAME : BotCommand.Prefix.JSON;
-        try {
-            boolean isFile = !command.get(0).isEmpty()
-                && Files.exists(folders.folder().resolve(OutputFiles.path(command.get(0))));
-            return command.size() > 1 || isFile
-                ? BotCommand.of(command, prefix) : BotCommand.parse(command.get(0), prefix);
-        } catch (IllegalArgumentException problem) {
-            throw new InputException(problem.getMessage());
-        }
+        boolean isFile = !command.get(0).isEmpty()
+            && Files.exists(folders.folder().resolve(OutputFiles.path(command.get(0))));
+        return InputException.of(() -> command.size() > 1 || isFile
+            ? BotCommand.of(command, prefix) : BotCommand.parse(command.get(0), prefix));
     }
 
     private Protocol spoken(BotCommand bot) {
@@ -193,12 +189,10 @@ public final class FeedCommand extends ProgramCommand {
     }
 
     private Program program(BotCommand bot, Resimulation match) {
-        try {
+        return InputException.of(() -> {
             Program program = new Program(bot.resolve(folders.folder()), folders.folder(), null);
             bot.checkPlays(match.setup().scene().gameId());
             return program;
-        } catch (IllegalArgumentException problem) {
-            throw new InputException(problem.getMessage());
-        }
+        });
     }
 }

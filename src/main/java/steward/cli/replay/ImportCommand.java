@@ -110,7 +110,7 @@ public final class ImportCommand extends ProgramCommand {
             return new GuestImport(streams, text, source, scenes, level).run(bytes -> write(bytes, replay),
                 piped ? null : json, out);
         }
-        RecordingImport recording = read(text, source);
+        RecordingImport recording = InputException.of(() -> RecordingImport.of(text, source, Games.types(), rules));
         RecordingImport.Imported imported;
         try (OutputStream stream = piped ? new UnclosedOutputStream(streams.out())
                 : OutputFiles.open(replay, overwrite)) {
@@ -148,14 +148,6 @@ public final class ImportCommand extends ProgramCommand {
             String text = Utf8Text.decode(bytes, source, "CodinGame's JSON of a game");
             return text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text;
         } catch (NotUtf8Exception problem) {
-            throw new InputException(problem.getMessage());
-        }
-    }
-
-    private RecordingImport read(String text, String source) {
-        try {
-            return RecordingImport.of(text, source, Games.types(), rules);
-        } catch (IllegalArgumentException problem) {
             throw new InputException(problem.getMessage());
         }
     }

@@ -182,11 +182,7 @@ public final class TuneCommand extends ProgramCommand {
         threads.check();
         list.check(seed.isGiven(), false);
         factor = pace.factor();
-        try {
-            command = TunedCommand.parse(bot);
-        } catch (IllegalArgumentException problem) {
-            throw new InputException("--bot: " + problem.getMessage());
-        }
+        command = InputException.of("--bot: ", () -> TunedCommand.parse(bot));
         for (String other : against) {
             Matcher placeholder = PLACEHOLDER.matcher(other);
             if (placeholder.find()) {

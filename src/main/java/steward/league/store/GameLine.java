@@ -182,11 +182,8 @@ public final class GameLine {
         }
 
         private static SortedMap<String, Double> values(String place, Map<String, String> seat) {
-            try {
-                return StoredSeat.values(seat.getOrDefault(VALUES, ""));
-            } catch (IllegalArgumentException problem) {
-                throw new InputException(place + ": " + VALUES + ": " + problem.getMessage());
-            }
+            return InputException.of(place + ": " + VALUES + ": ",
+                () -> StoredSeat.values(seat.getOrDefault(VALUES, "")));
         }
 
         private static double score(String place, Map<String, String> seat) {

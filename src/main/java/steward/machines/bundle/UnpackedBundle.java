@@ -186,10 +186,6 @@ public record UnpackedBundle(Path root, Path folder, BotCommand command, List<St
      * @throws InputException if it cannot be started here
      */
     public Program program() {
-        try {
-            return new Program(command.resolve(folder), folder, files);
-        } catch (IllegalArgumentException problem) {
-            throw new InputException(problem.getMessage());
-        }
+        return InputException.of(() -> new Program(command.resolve(folder), folder, files));
     }
 }

@@ -8,8 +8,6 @@ import java.time.ZoneId;
 import java.time.format.DateTimeParseException;
 import steward.files.InputException;
 import steward.scene.json.Block;
-import steward.scene.json.JsonTree;
-import steward.scene.json.SceneException;
 
 /**
  * Invitation to a league, with which a limited number of machines may make keys of their own until it expires.
@@ -56,20 +54,15 @@ public record Invitation(String name, String hash, int count, Instant until, boo
      * @throws InputException if it is no JSON, or a damaged invitation
      */
     public static Letter letter(String text, String source) {
-        try {
-            Block block = new Block(source, "", JsonTree.read(text, source, "a token or an invitation"));
+        return PrivateFile.parse(text, source, "a token or an invitation", block -> {
             if (!block.has("invitation")) {
                 return null;
             }
             block.integer("invitation", 1, 1);
-            Letter letter = new Letter(WorkerToken.pattern(block, "name", WorkerList.NAME),
+            return new Letter(WorkerToken.pattern(block, "name", WorkerList.NAME),
                 WorkerToken.pattern(block, "secret", WorkerToken.SECRET),
                 WorkerToken.pattern(block, "broker", WorkerToken.BROKER));
-            block.done();
-            return letter;
-        } catch (SceneException problem) {
-            throw new InputException(problem.getMessage());
-        }
+        });
     }
 
     static Invitation read(Block block) {

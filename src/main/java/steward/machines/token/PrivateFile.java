@@ -11,10 +11,13 @@ import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Set;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.scene.json.Block;
 import steward.scene.json.JsonLimits;
+import steward.scene.json.JsonTree;
 import steward.text.Utf8Text;
 import steward.text.Utf8Text.NotUtf8Exception;
 
@@ -108,6 +111,24 @@ public final class PrivateFile {
         } catch (IOException problem) {
             throw new InputException(file + ": cannot be read: " + OutputFiles.reason(file, problem));
         }
+    }
+
+    /**
+     * Reads a JSON object.
+     *
+     * @param source names it in errors
+     * @param reader of its fields, all of them; {@code null} from it is returned whatever else is there
+     * @throws InputException if it is none, or not as it should be
+     */
+    static <T> T parse(String text, String source, String expected, Function<Block, T> reader) {
+        return InputException.of(() -> {
+            Block block = new Block(source, "", JsonTree.read(text, source, expected));
+            T read = reader.apply(block);
+            if (read != null) {
+                block.done();
+            }
+            return read;
+        });
     }
 
     /** Returns a warning where others may read or write a file; {@code null} if they may not. */

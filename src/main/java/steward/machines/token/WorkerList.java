@@ -17,8 +17,6 @@ import steward.bot.command.Program;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.scene.json.Block;
-import steward.scene.json.JsonTree;
-import steward.scene.json.SceneException;
 
 /**
  * List of a league's workers and invitations, in the private file {@code machines/workers.json}. A worker has a name, a
@@ -76,27 +74,19 @@ public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
         if (Files.notExists(file)) {
             return new WorkerList(List.of(), List.of());
         }
-        try {
-            String source = file.toString();
-            Block block = new Block(source, "", JsonTree.read(PrivateFile.read(file, "the workers of a league"), source,
-                "a list of workers"));
-            List<Worker> workers = new ArrayList<>();
-            for (Block each : block.blocks("workers")) {
-                workers.add(new Worker(WorkerToken.pattern(each, "name", NAME), WorkerToken.pattern(each, "hash", HASH),
-                    each.has("revoked") ? each.text("revoked") : null, each.flag("aside", false),
-                    each.has("invited") ? WorkerToken.pattern(each, "invited", NAME) : null,
-                    each.has("doubt") ? each.text("doubt") : null, each.flag("trusted", false)));
-                each.done();
-            }
-            List<Invitation> invitations = new ArrayList<>();
-            if (block.has("invitations")) {
-                block.blocks("invitations").forEach(each -> invitations.add(Invitation.read(each)));
-            }
-            block.done();
-            return new WorkerList(workers, invitations);
-        } catch (SceneException problem) {
-            throw new InputException(problem.getMessage());
-        }
+        return PrivateFile.parse(PrivateFile.read(file, "the workers of a league"), file.toString(),
+            "a list of workers", block -> {
+                List<Worker> workers = new ArrayList<>();
+                for (Block each : block.blocks("workers")) {
+                    workers.add(new Worker(WorkerToken.pattern(each, "name", NAME),
+                        WorkerToken.pattern(each, "hash", HASH), each.has("revoked") ? each.text("revoked") : null,
+                        each.flag("aside", false), each.has("invited") ? WorkerToken.pattern(each, "invited", NAME)
+                        : null, each.has("doubt") ? each.text("doubt") : null, each.flag("trusted", false)));
+                    each.done();
+                }
+                return new WorkerList(workers, block.has("invitations")
+                    ? block.blocks("invitations").stream().map(Invitation::read).toList() : List.of());
+            });
     }
 
     /** Returns a stamp that changes when the file does. */

@@ -14,8 +14,6 @@ import java.util.stream.Collectors;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.scene.json.Block;
-import steward.scene.json.JsonTree;
-import steward.scene.json.SceneException;
 
 /**
  * Pauses of workers that cannot play: a second after the first failure, twice as long after each further one. After a
@@ -131,19 +129,16 @@ public final class WorkerPauses {
     }
 
     private void read() {
-        String source = file().toString();
-        try {
-            Block block = new Block(source, "", JsonTree.read(PrivateFile.read(file(), "the pauses of workers"), source,
-                "pauses of workers"));
-            for (Block each : block.blocks("pauses")) {
-                pauses.put(WorkerToken.pattern(each, "worker", WorkerList.NAME), new Pause(
-                    TimeUnit.SECONDS.toMillis(each.integer("seconds", 1, MOST_SECONDS)), moment(each)));
-                each.done();
-            }
-            block.done();
-        } catch (SceneException problem) {
-            throw new InputException(problem.getMessage());
-        }
+        pauses.putAll(PrivateFile.parse(PrivateFile.read(file(), "the pauses of workers"), file().toString(),
+            "pauses of workers", block -> {
+                Map<String, Pause> read = new HashMap<>();
+                for (Block each : block.blocks("pauses")) {
+                    read.put(WorkerToken.pattern(each, "worker", WorkerList.NAME), new Pause(
+                        TimeUnit.SECONDS.toMillis(each.integer("seconds", 1, MOST_SECONDS)), moment(each)));
+                    each.done();
+                }
+                return read;
+            }));
     }
 
     private static long moment(Block pause) {

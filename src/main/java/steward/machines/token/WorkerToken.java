@@ -9,8 +9,6 @@ import java.util.regex.Pattern;
 import steward.files.InputException;
 import steward.files.Sha256;
 import steward.scene.json.Block;
-import steward.scene.json.JsonTree;
-import steward.scene.json.SceneException;
 
 /**
  * Token with which a worker joins a league: its name, its secret, and the expected fingerprint of the broker's key.
@@ -84,20 +82,11 @@ public record WorkerToken(String worker, String secret, String broker, String in
      * @throws InputException if it is none
      */
     public static WorkerToken parse(String text, String source) {
-        try {
-            Block block = new Block(source, "", JsonTree.read(text, source, "a token"));
+        return PrivateFile.parse(text, source, "a token", block -> {
             block.integer("token", 1, 1);
-            WorkerToken token = new WorkerToken(name(block), pattern(block, "secret", SECRET),
+            return new WorkerToken(pattern(block, "worker", WorkerList.NAME), pattern(block, "secret", SECRET),
                 pattern(block, "broker", BROKER));
-            block.done();
-            return token;
-        } catch (SceneException problem) {
-            throw new InputException(problem.getMessage());
-        }
-    }
-
-    private static String name(Block block) {
-        return pattern(block, "worker", WorkerList.NAME);
+        });
     }
 
     /** A text of a form; what is wrong is not shown, it may be a secret. */

@@ -231,11 +231,7 @@ public final class Worker {
     }
 
     private static LeagueWord word(byte[] bytes) {
-        try {
-            return LeagueWord.read(bytes, "the league", Bundle.LARGEST);
-        } catch (SceneException problem) {
-            throw new InputException(problem.getMessage());
-        }
+        return InputException.of(() -> LeagueWord.read(bytes, "the league", Bundle.LARGEST));
     }
 
     /** Plays in one slot: takes jobs until it is over. */

@@ -99,6 +99,7 @@ public final class BenchCommand extends ProgramCommand {
     }
 
     @Override
+    @SuppressWarnings("try")                           // only closed, never used
     public Integer call() {
         brief.exclusive("--long", full, "--quick", quick);
         tables.check(out);
@@ -128,11 +129,7 @@ public final class BenchCommand extends ProgramCommand {
         if (full && bodies.isEmpty()) {
             crowds.add(MILLION);
         }
-        try {
-            return BenchSuite.all(crowds, Path.of(tools == null ? "" : tools));
-        } catch (IllegalArgumentException problem) {
-            throw new InputException("--bodies: " + problem.getMessage());
-        }
+        return InputException.of("--bodies: ", () -> BenchSuite.all(crowds, Path.of(tools == null ? "" : tools)));
     }
 
     /** At Ctrl-C: the measuring thread reports its results so far, unless that takes too long. */
