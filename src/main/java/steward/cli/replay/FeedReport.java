@@ -98,9 +98,7 @@ final class FeedReport {
             return;
         }
         ended = true;
-        if (session.match().warning() != null) {
-            session.streams().warn(session.match().warning());
-        }
+        session.streams().warn(session.match().warning());
         if (session.json()) {
             Json.print(session.streams(), fields(outcome, file));
             return;

@@ -220,9 +220,7 @@ public final class ReplayCommand extends ProgramCommand {
                     new TurnTable(streams, replay).print(first, last, quiet);
                 }
             }
-            if (replay.warning() != null) {
-                streams.warn(replay.warning());
-            }
+            streams.warn(replay.warning());
             return ExitStatus.DONE;
         }
     }
@@ -350,9 +348,7 @@ public final class ReplayCommand extends ProgramCommand {
             } else {
                 throw new InputException("--picture: found a replay that was cut off in its header");
             }
-            if (replay.warning() != null) {
-                streams.warn(replay.warning());
-            }
+            streams.warn(replay.warning());
             return ExitStatus.DONE;
         } catch (IOException problem) {
             throw new FailedException(svg + ": cannot be closed: " + problem.getMessage());
@@ -383,9 +379,7 @@ public final class ReplayCommand extends ProgramCommand {
         if (json) {
             return new ReplayJson(streams, replay).verification(verification, report);
         }
-        if (verification.warning() != null) {
-            streams.warn(verification.warning());
-        }
+        streams.warn(verification.warning());
         return report.print(replay, verification);
     }
 }

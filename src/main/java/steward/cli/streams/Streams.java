@@ -175,9 +175,9 @@ public final class Streams {
         return watched.problem == null || watched.problem.contains("Broken pipe") ? null : watched.problem;
     }
 
-    /** Prints a warning, once however often it is given; the program goes on. */
+    /** Prints a warning, once however often it is given, and nothing for {@code null}; the program goes on. */
     public void warn(String message) {
-        if (warned.add(message)) {
+        if (message != null && warned.add(message)) {
             err.println("steward: " + errColour().warning("warning:") + " " + TextFormat.plain(message));
         }
     }
