@@ -1,8 +1,6 @@
 package steward.live;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.net.URI;
 import java.util.concurrent.TimeUnit;
 import steward.replay.page.PageExtras;
@@ -54,10 +52,8 @@ public final class LiveServer implements AutoCloseable {
     static LiveServer start(String host, int port, int most, String title, LiveRecording recording, PageExtras extras,
                             long silentNanos) throws IOException {
         Viewers viewers = new Viewers(most);
-        ByteArrayOutputStream front = new ByteArrayOutputStream();
-        ReplayPage.writeLive(front, title, Site.FEED, COPY);
-        return new LiveServer(HttpService.start(host, port, new MatchSite(front.toByteArray(), title, recording,
-            extras, viewers), viewers, silentNanos), viewers);
+        return new LiveServer(HttpService.start(host, port, new MatchSite(ReplayPage.live(title, Site.FEED, COPY),
+            title, recording, extras, viewers), viewers, silentNanos), viewers);
     }
 
     /** The pages of a match. */
@@ -102,13 +98,7 @@ public final class LiveServer implements AutoCloseable {
             if (replay.length == 0) {
                 return null;
             }
-            ByteArrayOutputStream html = new ByteArrayOutputStream();
-            try {
-                ReplayPage.write(replay, "match", html, title, extras);
-            } catch (IOException inMemory) {
-                throw new UncheckedIOException(inMemory);
-            }
-            byte[] copy = html.toByteArray();
+            byte[] copy = ReplayPage.of(replay, "match", title, extras);
             whole = complete ? copy : null;
             return copy;
         }

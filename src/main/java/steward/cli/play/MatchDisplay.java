@@ -21,6 +21,7 @@ import steward.files.OutputFiles;
 import steward.live.LiveRecording;
 import steward.live.LiveServer;
 import steward.replay.page.PageExtras;
+import steward.replay.page.ReplayPage;
 
 /**
  * Display of a match: a page in a file, a page that follows the match while it is played, or both. Bytes written here
@@ -151,7 +152,8 @@ final class MatchDisplay implements AutoCloseable {
     void finish() throws InterruptedException {
         recording.close();
         if (page != null) {
-            Pages.write(pageFile, Pages.of(recording.replay(), "match", title, PageExtras.of(Games.types(true))), page);
+            Pages.write(pageFile, ReplayPage.of(recording.replay(), "match", title, PageExtras.of(Games.types(true))),
+                page);
             movePage();
             said.println("Page: " + page);
             said.flush();

@@ -1,9 +1,7 @@
 package steward.cli.play;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -18,8 +16,6 @@ import steward.contest.Series;
 import steward.contest.SeriesPlay;
 import steward.files.InputException;
 import steward.files.OutputFiles;
-import steward.json.JsonObject;
-import steward.league.page.LeaguePage;
 import steward.replay.page.PageReplays;
 import steward.replay.page.PageTemplate;
 import steward.replay.page.ReplayPage;
@@ -68,18 +64,14 @@ record SeriesPage(Path file, boolean open, boolean overwrite) {
                 contest.players()).mapToObj(player -> contest.entrants().get(game.entrantOf(contest, player)).name())
                 .toList()), null)).toList();
         PageReplays replays = PageReplays.of(kept, Games.types());
-        ByteArrayOutputStream html = new ByteArrayOutputStream();
         try {
             Map<Long, String> linked = replays.writeBeside(file, Games.types());
             ReplayPage.Shell shell = ReplayPage.shell();
-            PageTemplate page = new PageTemplate(FOLDER, Pages.title(contest.entrants().stream()
-                .map(Contest.Entrant::name).toList()));
-            page.put("policy", page.policy("'none'", " " + shell.scriptHash(), " " + shell.styleHash()));
-            String data = LeaguePage.inScript(JsonObject.text(SeriesJson.of(series, play, choosers, null).with("folder",
-                series.folder()).and(replays.fields(shell, linked))::write));
-            page.write(html, out -> out.write(data.getBytes(StandardCharsets.UTF_8)));
+            byte[] html = PageTemplate.of(FOLDER, Pages.title(contest.entrants().stream().map(Contest.Entrant::name)
+                .toList()), shell, SeriesJson.of(series, play, choosers, null).with("folder", series.folder())
+                .and(replays.fields(shell, linked)));
             try (OutputStream out = OutputFiles.open(file, overwrite)) {
-                Pages.write(out, html.toByteArray(), file);
+                Pages.write(out, html, file);
             }
             if (isSaid) {
                 streams.out().println("Page: " + file + ", " + TextFormat.count(replays.embedded().size(), "replay")

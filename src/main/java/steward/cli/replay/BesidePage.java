@@ -1,6 +1,5 @@
 package steward.cli.replay;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
@@ -15,8 +14,6 @@ import steward.cli.streams.Streams;
 import steward.files.InputException;
 import steward.files.OutputFiles;
 import steward.game.GameTypes;
-import steward.json.JsonObject;
-import steward.league.page.LeaguePage;
 import steward.replay.RecordedTurn;
 import steward.replay.ReplayHeader;
 import steward.replay.ReplayReader;
@@ -66,9 +63,7 @@ final class BesidePage {
                 results = List.of(result(a), result(b));
             }
             for (ReplayReader each : List.of(a, b)) {
-                if (each.warning() != null) {
-                    streams.warn(each.warning());
-                }
+                streams.warn(each.warning());
             }
         }
     }
@@ -126,19 +121,15 @@ final class BesidePage {
         }
         try {
             ReplayPage.Shell shell = ReplayPage.shell();
-            PageTemplate template = new PageTemplate(FOLDER, Pages.title(headers.get(0).names()));
-            template.put("policy", template.policy("'none'", " " + shell.scriptHash(), " " + shell.styleHash()));
             List<ReplayPage.Embedded> replays = List.of(ReplayPage.embedded(files.get(0), types, null),
                 ReplayPage.embedded(files.get(1), types, null));
-            String data = LeaguePage.inScript(JsonObject.text(Fields.of("files",
+            byte[] html = PageTemplate.of(FOLDER, Pages.title(headers.get(0).names()), shell, Fields.of("files",
                 Fields.each(files, Path::getFileName), "first", firstDifferent, "results", results,
                 "shell", List.of(shell.before(), shell.after()),
                 "replays", Fields.each(replays, ReplayPage.Embedded::replay),
-                "details", Fields.each(replays, ReplayPage.Embedded::details))::write));
-            ByteArrayOutputStream html = new ByteArrayOutputStream();
-            template.write(html, out -> out.write(data.getBytes(StandardCharsets.UTF_8)));
+                "details", Fields.each(replays, ReplayPage.Embedded::details)));
             try (OutputStream out = OutputFiles.open(page, overwrite)) {
-                Pages.write(out, html.toByteArray(), page);
+                Pages.write(out, html, page);
             }
         } catch (IOException problem) {
             throw new FailedException(page + ": cannot be written: " + problem.getMessage());

@@ -15,6 +15,7 @@ import steward.live.PagePicture;
 import steward.match.MatchResult;
 import steward.replay.ReplayReader;
 import steward.replay.page.PageExtras;
+import steward.replay.page.ReplayPage;
 
 /**
  * Page of a recorded match, and the files that are written from it.
@@ -55,10 +56,8 @@ record PageFile(Path replay, byte[] html, int turns, String site) {
         byte[] whole = replay == null ? bytes : Pages.read(replay);
         String source = replay == null ? StandardFiles.INPUT : replay.toString();
         PageExtras extras = new PageExtras(types, site, description + ", " + turns + " turns");
-        byte[] html = Pages.of(whole, source, title, extras);
-        if (warning != null) {
-            streams.warn(warning);
-        }
+        byte[] html = ReplayPage.of(whole, source, title, extras);
+        streams.warn(warning);
         return new PageFile(replay, html, turns, site);
     }
 

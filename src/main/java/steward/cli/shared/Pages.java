@@ -1,6 +1,5 @@
 package steward.cli.shared;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
@@ -42,7 +41,7 @@ public final class Pages {
      * @throws steward.replay.ReplayException if it is damaged
      */
     public static byte[] of(Path replay, String title) {
-        return of(read(replay), replay.toString(), title, PageExtras.of(Games.types()));
+        return ReplayPage.of(read(replay), replay.toString(), title, PageExtras.of(Games.types()));
     }
 
     public static byte[] read(Path replay) {
@@ -51,21 +50,6 @@ public final class Pages {
         } catch (IOException problem) {
             throw new UncheckedIOException(replay + ": cannot be read: " + problem.getMessage(), problem);
         }
-    }
-
-    /**
-     * The page of a match that has been read, with more than the replay.
-     *
-     * @param source name of the replay, for errors
-     */
-    public static byte[] of(byte[] replay, String source, String title, PageExtras extras) {
-        ByteArrayOutputStream html = new ByteArrayOutputStream();
-        try {
-            ReplayPage.write(replay, source, html, title, extras);
-        } catch (IOException inMemory) {
-            throw new UncheckedIOException(inMemory);
-        }
-        return html.toByteArray();
     }
 
     public static void write(OutputStream file, byte[] html, Path path) {

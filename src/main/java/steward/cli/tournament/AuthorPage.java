@@ -17,11 +17,10 @@ import steward.cli.check.CheckDialogue;
 import steward.cli.league.view.GameFailures;
 import steward.cli.shared.Games;
 import steward.contest.Failure;
-import steward.json.JsonObject;
 import steward.league.StoredGame;
 import steward.league.StoredGame.StoredSeat;
 import steward.league.page.EmbeddedReplays;
-import steward.league.page.LeaguePage;
+import steward.replay.page.PageTemplate;
 import steward.replay.page.ReplayPage;
 import steward.text.TextFormat;
 
@@ -95,8 +94,8 @@ record AuthorPage(TournamentCommand.Entry entry, int version, List<StoredGame> g
         if (entry.check() != null) {
             entry.check().games().forEach(game -> dialogue(page, game));
         }
-        Files.writeString(file, page.append(any ? Html.endWithReplays(LeaguePage.inScript(JsonObject.text(
-            kept.fields(shell)::write))) : Html.END));
+        Files.writeString(file, page.append(any ? Html.endWithReplays(PageTemplate.inScript(kept.fields(shell)))
+            : Html.END));
     }
 
     private void games(StringBuilder page, EmbeddedReplays kept) {

@@ -21,7 +21,6 @@ import steward.cli.streams.Streams;
 import steward.files.Resources;
 import steward.json.JsonObject;
 import steward.league.StoredGame;
-import steward.league.page.LeaguePage;
 import steward.live.StatusServer;
 import steward.replay.ReplayException;
 import steward.replay.page.PageTemplate;
@@ -92,8 +91,7 @@ final class ProjectorWall implements AutoCloseable {
         String script = Resources.text(FOLDER + "wall.js");
         String style = Resources.text(FOLDER + "wall.css");
         ReplayPage.Shell shell = ReplayPage.shell();
-        String data = LeaguePage.inScript(JsonObject.text(Fields.of("before", shell.before(), "after",
-            shell.after())::write));
+        String data = PageTemplate.inScript(Fields.of("before", shell.before(), "after", shell.after()));
         return ("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta "
             + "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src "
             + PageTemplate.hash(script) + " " + shell.scriptHash() + "; style-src " + PageTemplate.hash(style) + " "

@@ -1,6 +1,5 @@
 package steward.cli.tournament;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -329,11 +328,8 @@ public final class TournamentCommand extends ProgramCommand {
     }
 
     private List<String> flags() {
-        try {
-            return cxxFlags.isBlank() ? List.of() : CommandLine.split(cxxFlags);
-        } catch (IllegalArgumentException problem) {
-            throw new InputException("--cxx-flags: " + problem.getMessage());
-        }
+        return cxxFlags.isBlank() ? List.of()
+            : InputException.of("--cxx-flags: ", () -> CommandLine.split(cxxFlags));
     }
 
     /** Makes ready and checks each program, alone, and writes the pages of the authors. */
@@ -411,11 +407,10 @@ public final class TournamentCommand extends ProgramCommand {
         List<StoredGame> games = new ArrayList<>(played.games().subList(from, played.games().size()));
         Collections.reverse(games);
         Map<Integer, String> names = played.names();
-        ByteArrayOutputStream html = new ByteArrayOutputStream();
-        LeaguePage.write(new LeagueView(played.season(), ratings, played.path(), games, Double.NaN, List.of()),
-            league.replays(), EmbeddedReplays.of(games, league.replays(), Games.types(), (game, seat) -> false, game ->
-                Pages.title(game.seats().stream().map(seat -> names.get(seat.version())).toList()))
-                .beside(file, Games.types()), html, "Tournament");
-        OutputFiles.replace(file, html.toByteArray());
+        OutputFiles.replace(file, LeaguePage.of(new LeagueView(played.season(), ratings, played.path(), games,
+            Double.NaN, List.of()), league.replays(), EmbeddedReplays.of(games, league.replays(), Games.types(),
+                (game, seat) -> false,
+                game -> Pages.title(game.seats().stream().map(seat -> names.get(seat.version())).toList()))
+                .beside(file, Games.types()), "Tournament"));
     }
 }

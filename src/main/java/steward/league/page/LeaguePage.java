@@ -1,9 +1,7 @@
 package steward.league.page;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -40,29 +38,18 @@ public final class LeaguePage {
     }
 
     /**
-     * Writes the page of a league as it is.
+     * Returns the page of a league as it is.
      *
      * @param folder  of the kept replays
      * @param replays those that are in the page
-     * @param html    is not closed
      * @param title   plain text
-     * @throws IOException if it cannot be written
      */
-    public static void write(LeagueView view, Path folder, EmbeddedReplays replays, OutputStream html, String title)
-            throws IOException {
+    public static byte[] of(LeagueView view, Path folder, EmbeddedReplays replays, String title) {
         ReplayPage.Shell shell = ReplayPage.shell();
-        PageTemplate page = new PageTemplate(FOLDER, title);
-        page.put("policy", page.policy("'none'", " " + shell.scriptHash(), " " + shell.styleHash()));
-        page.put("source", "");
         Function<StoredGame, String> where = game -> game.replay() == null ? null
             : replays.has(game.id()) ? IN_PAGE : folder.resolve(game.replay()).toString();
-        String data = JsonObject.text(LeagueJson.view(view, where, replays.errors()).and(replays.fields(shell))::write);
-        page.write(html, out -> out.write(inScript(data).getBytes(StandardCharsets.UTF_8)));
-    }
-
-    /** JSON for a script element: nothing in it can end the element. */
-    public static String inScript(String json) {
-        return json.replace("<", "\\u003c");
+        return PageTemplate.of(FOLDER, title, shell, LeagueJson.view(view, where, replays.errors())
+            .and(replays.fields(shell)));
     }
 
     /**
@@ -76,13 +63,7 @@ public final class LeaguePage {
         PageTemplate page = new PageTemplate(FOLDER, title);
         page.put("policy", page.policy("'self'"));
         page.put("source", "data-feed=\"" + PageTemplate.escape(feed) + "\"");
-        ByteArrayOutputStream html = new ByteArrayOutputStream();
-        try {
-            page.write(html, out -> { });
-        } catch (IOException inMemory) {
-            throw new IllegalStateException(inMemory);
-        }
-        return html.toByteArray();
+        return page.with("");
     }
 
     /** Returns the message to an open page: all that it shows, on one line. */

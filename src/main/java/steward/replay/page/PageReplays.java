@@ -1,7 +1,6 @@
 package steward.replay.page;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -91,9 +90,7 @@ public record PageReplays(Map<Long, ReplayPage.Embedded> embedded, List<Kept> be
             try {
                 byte[] replay = ReplayReader.asWritten(Files.readAllBytes(one.file));
                 byte[] seen = one.stderr == null ? replay : OwnStderr.of(replay, one.stderr);
-                try (OutputStream html = Files.newOutputStream(file)) {
-                    ReplayPage.write(seen, one.file.toString(), html, one.title, PageExtras.of(types));
-                }
+                Files.write(file, ReplayPage.of(seen, one.file.toString(), one.title, PageExtras.of(types)));
                 linked.put(one.game, folder.getFileName() + "/" + file.getFileName());
             } catch (ReplayException damaged) {
                 Files.deleteIfExists(file);

@@ -1,7 +1,5 @@
 package steward.replay.page;
 
-import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.HashMap;
@@ -9,6 +7,8 @@ import java.util.Map;
 import java.util.regex.Pattern;
 import steward.files.Resources;
 import steward.files.Sha256;
+import steward.json.JsonObject;
+import steward.report.Fields;
 
 /**
  * Template of a page, {@code page.html} behind a head that all have, whose places <code>{{name}}</code> are filled with
@@ -77,9 +77,23 @@ public final class PageTemplate {
         return PageTemplate.class.getResource(module) == null ? null : module;
     }
 
-    /** Writes bytes into the page. */
-    public interface Content {
-        void writeTo(OutputStream out) throws IOException;
+    /**
+     * Returns a page that puts several of matches together by itself.
+     *
+     * @param folder see {@link #PageTemplate(String, String)}
+     * @param shell  the page of a match
+     * @param data   for its script
+     */
+    public static byte[] of(String folder, String title, ReplayPage.Shell shell, Fields data) {
+        PageTemplate page = new PageTemplate(folder, title);
+        page.put("policy", page.policy("'none'", " " + shell.scriptHash(), " " + shell.styleHash()));
+        page.put("source", "");
+        return page.with(inScript(data));
+    }
+
+    /** JSON for a script element: nothing in it can end the element. */
+    public static String inScript(Fields data) {
+        return JsonObject.text(data::write).replace("<", "\\u003c");
     }
 
     /** Fills a place with HTML. */
@@ -122,12 +136,9 @@ public final class PageTemplate {
         return fill(template.substring(template.indexOf(REPLAY) + REPLAY.length()));
     }
 
-    /** Writes the page, and the data in its place. */
-    public void write(OutputStream html, Content replay) throws IOException {
-        html.write(before().getBytes(StandardCharsets.UTF_8));
-        replay.writeTo(html);
-        html.write(after().getBytes(StandardCharsets.UTF_8));
-        html.flush();
+    /** Returns the page with data in its place. */
+    public byte[] with(String data) {
+        return (before() + data + after()).getBytes(StandardCharsets.UTF_8);
     }
 
     /** One pass, so that nothing in a value is taken for a place. */

@@ -39,18 +39,15 @@ public final class ReplayPage {
     private ReplayPage() { }
 
     /**
-     * Writes the page.
+     * Returns the page.
      *
      * @param replay its bytes
      * @param source name of the replay, for errors
-     * @param html   is not closed
      * @param title  heading of the page, plain text
      * @param extras what it has besides the replay
-     * @throws IOException     if the page cannot be written
      * @throws ReplayException if it is no replay, of a newer format, or damaged before its end
      */
-    public static void write(byte[] replay, String source, OutputStream html, String title, PageExtras extras)
-            throws IOException {
+    public static byte[] of(byte[] replay, String source, String title, PageExtras extras) {
         byte[] read = ReplayReader.asWritten(replay);
         String warning = check(read, source);
         byte[] whole = warning == null ? read : upToCut(read);
@@ -61,27 +58,24 @@ public final class ReplayPage {
         page.put("save", "");
         page.put("source", (warning == null ? "" : "data-warning=\"" + PageTemplate.escape(warning) + "\"")
             + differs(whole, source, extras.types()));
-        String text = PackedTurns.of(whole);
-        page.write(html, out -> out.write(text.getBytes(StandardCharsets.US_ASCII)));
+        return page.with(PackedTurns.of(whole));
     }
 
     /**
-     * Writes the page of a match that is being played. It holds no replay but follows server-sent events: each event's
+     * Returns the page of a match that is being played. It holds no replay but follows server-sent events: each event's
      * data is one line of the replay (header, turns, result), sent from the beginning to every client; the result ends
      * it, or an event of type {@code end}.
      *
-     * @param html  is not closed
      * @param title heading of the page, plain text
      * @param feed  address of the events, relative to the page
      * @param save  address under which the page as a file is found, relative to the page, or {@code null} for none
-     * @throws IOException if the page cannot be written
      */
-    public static void writeLive(OutputStream html, String title, String feed, String save) throws IOException {
+    public static byte[] live(String title, String feed, String save) {
         PageTemplate page = PageTemplate.ofReplay(title, null);
         page.put("policy", page.policy("'self'"));
         page.put("save", save == null ? "" : "<a href=\"" + PageTemplate.escape(save) + "\" download>Save</a>");
         page.put("source", "data-feed=\"" + PageTemplate.escape(feed) + "\"");
-        page.write(html, out -> { });
+        return page.with("");
     }
 
     /**

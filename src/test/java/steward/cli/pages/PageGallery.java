@@ -3,7 +3,6 @@ package steward.cli.pages;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -111,12 +110,9 @@ final class PageGallery {
 
     private Path league(int bots, int rounds) throws IOException {
         Path page = folder.resolve("league-of-" + bots + ".html");
-        try (OutputStream html = Files.newOutputStream(page)) {
-            LeagueView view = PageTestLeague.of(bots, rounds);
-            LeaguePage.write(view, folder, EmbeddedReplays.of(view.games(), folder, null, null,
-                game -> "Game " + game.id()), html, "League night");
-        }
-        return page;
+        LeagueView view = PageTestLeague.of(bots, rounds);
+        return Files.write(page, LeaguePage.of(view, folder, EmbeddedReplays.of(view.games(), folder, null, null,
+            game -> "Game " + game.id()), "League night"));
     }
 
     /** Two programs that play, one that crashes, one that does not compile. */

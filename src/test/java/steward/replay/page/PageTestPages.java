@@ -3,7 +3,6 @@ package steward.replay.page;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -30,8 +29,8 @@ public final class PageTestPages {
     /** A page of a replay, with more than it. */
     public Path page(byte[] replay, String title, PageExtras extras) {
         Path page = folder.resolve("page-" + ++written + ".html");
-        try (OutputStream html = Files.newOutputStream(page)) {
-            ReplayPage.write(replay, "race.jsonl", html, title, extras);
+        try {
+            Files.write(page, ReplayPage.of(replay, "race.jsonl", title, extras));
         } catch (IOException e) {
             throw new AssertionError(e);
         }
@@ -41,8 +40,8 @@ public final class PageTestPages {
     /** A page that waits for turns, without a server that sends any. */
     public Path live(String title) {
         Path page = folder.resolve("page-" + ++written + ".html");
-        try (OutputStream html = Files.newOutputStream(page)) {
-            ReplayPage.writeLive(html, title, "feed", null);
+        try {
+            Files.write(page, ReplayPage.live(title, "feed", null));
         } catch (IOException e) {
             throw new AssertionError(e);
         }

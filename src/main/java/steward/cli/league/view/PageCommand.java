@@ -96,9 +96,8 @@ public final class PageCommand extends ProgramCommand {
                 Pages.title(game.seats().stream().map(seat -> names.getOrDefault(seat.version(), "?")).toList()))
                 .beside(file, Games.types());
             RatingPath path = opened.games().path(opened.entries(), table.reference());
-            LeaguePage.write(new LeagueView(opened.season(), table, path, games, Double.NaN, opened.workers(),
-                WhyCommand.ofPage(opened, games)), folder,
-                replays, html, title(opened.folder().path()));
+            html.write(LeaguePage.of(new LeagueView(opened.season(), table, path, games, Double.NaN, opened.workers(),
+                WhyCommand.ofPage(opened, games)), folder, replays, title(opened.folder().path())));
             return replays;
         } catch (IOException problem) {
             throw new FailedException("the page cannot be written: " + problem.getMessage());

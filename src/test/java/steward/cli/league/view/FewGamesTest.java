@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -93,11 +92,9 @@ class FewGamesTest {
             path.take(results);
             String text = String.join("\n", TableText.whole(table, SEASON, List.of(), Colour.NONE));
             assertFalse(Pattern.compile("9999|\\d{5}|Infinity|NaN|∞").matcher(text).find(), text);
-            ByteArrayOutputStream page = new ByteArrayOutputStream();
-            LeaguePage.write(new LeagueView(SEASON, table, path.path(), List.of(), Double.NaN, List.of()), folder,
-                EmbeddedReplays.of(List.of(), folder, null, null, any -> ""), page,
-                "few");
-            String html = page.toString(StandardCharsets.UTF_8);
+            String html = new String(LeaguePage.of(new LeagueView(SEASON, table, path.path(), List.of(), Double.NaN,
+                List.of()), folder, EmbeddedReplays.of(List.of(), folder, null, null, any -> ""), "few"),
+                StandardCharsets.UTF_8);
             String data = html.substring(html.indexOf("{\"scene\":"));
             data = data.substring(0, data.indexOf("</script>"));
             assertFalse(Pattern.compile("Infinity|NaN|9999").matcher(data).find(), data);
