@@ -45,6 +45,8 @@ final class SparseActiveSet {
     private double[] change = new double[0];
     /** Contacts that the factor knows; 0 for none. */
     private int known;
+    /** True if the set that there is has solved its system. */
+    private boolean isFound;
 
     SparseActiveSet(InelasticSystem system) {
         this.system = system;
@@ -56,9 +58,9 @@ final class SparseActiveSet {
         known = 0;
     }
 
-    /** Begins with a new guess. */
+    /** Begins with a new guess, unless the last set was one. */
     void restart() {
-        for (int k = 0; k < known; k++) {
+        for (int k = 0; k < known && !isFound; k++) {
             set(k, isGuessed(k));
         }
     }
@@ -107,6 +109,11 @@ final class SparseActiveSet {
      * @return false if a contact cannot part
      */
     boolean solve(Bodies bodies, double tolerance) {
+        isFound = find(bodies, tolerance);
+        return isFound;
+    }
+
+    private boolean find(Bodies bodies, double tolerance) {
         begin(bodies);
         double speed = largestApproach();
         double near = NEAR;

@@ -21,7 +21,7 @@ final class OracleHeap {
     /** Gaps up to this share of the radii belong to a heap. */
     private static final BigDecimal NEAR = Decimals.of(1.0 / 2048);
     /** Gaps below this share of the radii are closed. */
-    private static final BigDecimal CLOSED = Decimals.of(0x1p-30);
+    private static final BigDecimal CLOSED = Decimals.of(0x1p-24);
     /** Share of a gap that is used until the end of the turn. */
     private static final BigDecimal USED = new BigDecimal("0.99");
     /** Share of the room by which a path ends inside a rim, if a closed gap is not less. */
