@@ -2,7 +2,6 @@ package steward.league;
 
 import java.io.File;
 import java.io.IOException;
-import java.io.InputStream;
 import java.net.URISyntaxException;
 import java.net.URL;
 import java.nio.file.Files;
@@ -21,6 +20,7 @@ import steward.bot.command.BuiltinBots;
 import steward.bot.command.Program;
 import steward.contest.Contest;
 import steward.files.InputException;
+import steward.files.Sha256;
 
 /**
  * Identity of a bot's program: a hash. The hash covers the argument list, the bot's own time limits, the environment
@@ -185,8 +185,8 @@ public final class BotIdentity {
     }
 
     private static String hash(String bot, Path file) {
-        try (InputStream in = Files.newInputStream(file)) {
-            return TextHash.of(in);
+        try {
+            return Sha256.hex(file);
         } catch (IOException problem) {
             throw new InputException("bot '" + bot + "': its file " + file + " cannot be read: "
                 + (Files.exists(file) ? problem.getMessage() : "there is no such file"));

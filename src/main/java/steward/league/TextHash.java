@@ -1,7 +1,5 @@
 package steward.league;
 
-import java.io.IOException;
-import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
@@ -38,15 +36,5 @@ final class TextHash {
     /** Returns the hash as 32 hexadecimal digits; call once. */
     String hex() {
         return HexFormat.of().formatHex(bytes());
-    }
-
-    /** The hash of a file's bytes, 64 hexadecimal digits. */
-    static String of(InputStream in) throws IOException {
-        MessageDigest content = Sha256.begin();
-        byte[] buffer = new byte[1 << 16];
-        for (int count = in.read(buffer); count >= 0; count = in.read(buffer)) {
-            content.update(buffer, 0, count);
-        }
-        return HexFormat.of().formatHex(content.digest());
     }
 }

@@ -13,7 +13,6 @@ import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.security.DigestOutputStream;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
@@ -22,6 +21,7 @@ import java.util.TreeMap;
 import steward.files.Folders;
 import steward.files.InputException;
 import steward.files.OutputFiles;
+import steward.files.Sha256;
 import steward.text.TextFormat;
 
 /**
@@ -136,22 +136,18 @@ record HandIn(Path source, TreeMap<String, String> files, List<String> leftOut, 
      * @throws InputException if a file is no longer what it was when it was looked at
      */
     String copy(Path target) throws IOException {
-        try {
-            MessageDigest digest = MessageDigest.getInstance("SHA-256");
-            Path fresh = target.resolveSibling(target.getFileName() + ".new");
-            clear(fresh);
-            for (String name : files.keySet()) {
-                Path to = name.isEmpty() ? fresh : fresh.resolve(name);
-                Files.createDirectories(to.getParent());
-                digest.update((name + "\n").getBytes(StandardCharsets.UTF_8));
-                copy(name.isEmpty() ? source : source.resolve(name), to, files.get(name), digest);
-            }
-            clear(target);
-            Files.move(fresh, target);
-            return HexFormat.of().formatHex(digest.digest());
-        } catch (NoSuchAlgorithmException everyJavaHasIt) {
-            throw new IllegalStateException(everyJavaHasIt);
+        MessageDigest digest = Sha256.begin();
+        Path fresh = target.resolveSibling(target.getFileName() + ".new");
+        clear(fresh);
+        for (String name : files.keySet()) {
+            Path to = name.isEmpty() ? fresh : fresh.resolve(name);
+            Files.createDirectories(to.getParent());
+            digest.update((name + "\n").getBytes(StandardCharsets.UTF_8));
+            copy(name.isEmpty() ? source : source.resolve(name), to, files.get(name), digest);
         }
+        clear(target);
+        Files.move(fresh, target);
+        return HexFormat.of().formatHex(digest.digest());
     }
 
     private static void clear(Path path) throws IOException {
