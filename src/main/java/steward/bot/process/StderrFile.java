@@ -5,16 +5,13 @@ import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.FileAttribute;
-import java.nio.file.attribute.PosixFilePermissions;
-import java.util.Set;
 import java.util.concurrent.ThreadLocalRandom;
 import steward.bot.ErrorLine;
 import steward.bot.Utf8;
+import steward.files.OutputFiles;
 
 /**
  * A bot's stderr: an unnamed file, open in this process and in the bot. A bot can never block on it, no thread has to
@@ -38,9 +35,7 @@ final class StderrFile {
     /** The file is truncated when it grows longer than this while the bot is computing, in bytes. */
     static final long CUT_UNREAD = 256L << 20;
 
-    private static final Set<StandardOpenOption> NEW =
-        Set.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-    private static final FileAttribute<?>[] ONLY_MINE = onlyMine();
+    private static final FileAttribute<?>[] ONLY_MINE = OutputFiles.ownerOnly();
 
     private final String number;
     private final Path path;
@@ -71,7 +66,7 @@ final class StderrFile {
             // Known before it exists: a referee that is killed in between leaves none behind.
             Sentinel.shared().watchFile(number);
             try {
-                Files.newByteChannel(path, NEW, ONLY_MINE).close();
+                Files.createFile(path, ONLY_MINE);
                 return new StderrFile(number, path, new RandomAccessFile(path.toFile(), "rw"));
             } catch (FileAlreadyExistsException e) {
                 Sentinel.shared().forgetFile(number);
@@ -85,15 +80,6 @@ final class StderrFile {
     /** Returns where these files are made. */
     static Path folder() {
         return Path.of(System.getProperty("java.io.tmpdir"));
-    }
-
-    private static FileAttribute<?>[] onlyMine() {
-        boolean posix = FileSystems.getDefault().supportedFileAttributeViews().contains("posix");
-        if (!posix) {
-            return new FileAttribute<?>[0];
-        }
-        return new FileAttribute<?>[] {
-            PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------"))};
     }
 
     /** The file by name, for as long as it has a name. */

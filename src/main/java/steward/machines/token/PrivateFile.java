@@ -33,11 +33,6 @@ public final class PrivateFile {
 
     private PrivateFile() { }
 
-    /** Makes a folder, if it is not there. */
-    static void folder(Path folder) {
-        OutputFiles.privateFolder(folder);
-    }
-
     /** Takes the permissions of others away from a file that a program has made. */
     static void close(Path file) {
         try {
@@ -57,7 +52,7 @@ public final class PrivateFile {
         if (ALONE.isHeldByCurrentThread()) {
             return work.get();
         }
-        folder(folder);
+        OutputFiles.privateFolder(folder);
         Path file = folder.resolve("lock");
         ALONE.lock();
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
@@ -83,11 +78,7 @@ public final class PrivateFile {
                 throw new InputException(file + ": exists already, and is kept; expected the name of a new file");
             }
             Files.deleteIfExists(part);
-            if (isPosix(file.toAbsolutePath().getParent())) {
-                Files.createFile(part, PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString(OWNER)));
-            } else {
-                Files.createFile(part);
-            }
+            Files.createFile(part, OutputFiles.ownerOnly());
             Files.write(part, bytes);
             Files.move(part, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
         } catch (IOException problem) {

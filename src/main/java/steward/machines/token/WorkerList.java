@@ -15,6 +15,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import steward.bot.command.Program;
 import steward.files.InputException;
+import steward.files.OutputFiles;
 import steward.league.LeagueFolder;
 import steward.scene.json.Block;
 
@@ -95,7 +96,7 @@ public record WorkerList(List<Worker> workers, List<Invitation> invitations) {
     }
 
     private WorkerList write(LeagueFolder folder) {
-        PrivateFile.folder(folder(folder));
+        OutputFiles.privateFolder(folder(folder));
         StringBuilder text = new StringBuilder("{ \"workers\": [");
         for (Worker worker : workers) {
             text.append(text.charAt(text.length() - 1) == '[' ? "\n" : ",\n").append("  { \"name\": \"")

@@ -7,6 +7,7 @@ import java.security.SecureRandom;
 import java.util.Base64;
 import java.util.regex.Pattern;
 import steward.files.InputException;
+import steward.files.OutputFiles;
 import steward.files.Sha256;
 import steward.scene.json.Block;
 
@@ -55,7 +56,7 @@ public record WorkerToken(String worker, String secret, String broker, String in
             String name = host.replaceAll("\\..*", "").replaceAll("[^A-Za-z0-9_-]", "-");
             String worker = (name.isEmpty() ? "worker" : name.substring(0, Math.min(LONGEST_HOST, name.length())))
                 + "-" + hash(secret).substring(0, NAME_DIGITS);
-            PrivateFile.folder(file.toAbsolutePath().getParent());
+            OutputFiles.privateFolder(file.toAbsolutePath().getParent());
             PrivateFile.write(file, new WorkerToken(worker, secret, letter.broker()).text(), false);
         }
         WorkerToken own = read(file);

@@ -2,25 +2,19 @@ package steward.replay.sign;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
-import java.nio.channels.Channels;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.FileAttribute;
-import java.nio.file.attribute.PosixFilePermission;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Base64;
 import java.util.Locale;
-import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import steward.files.InputException;
+import steward.files.OutputFiles;
 
 /** PEM file, read and written: bytes in base64 between {@code -----BEGIN KIND-----} and {@code -----END KIND-----}. */
 final class PemFile {
@@ -30,8 +24,6 @@ final class PemFile {
     private static final int MOST_BYTES = 1 << 14;
     private static final Pattern FORM =
         Pattern.compile("\\s*-----BEGIN ([A-Z0-9 ]+)-----\\s+([A-Za-z0-9+/=\\s]*)-----END \\1-----\\s*");
-
-    private static final Set<PosixFilePermission> OWNER = PosixFilePermissions.fromString("rw-------");
 
     /**
      * @param expected for errors
@@ -90,13 +82,9 @@ final class PemFile {
         String text = "-----BEGIN " + kind + "-----\n"
             + Base64.getMimeEncoder(COLUMNS, new byte[] {'\n'}).encodeToString(bytes)
             + "\n-----END " + kind + "-----\n";
-        boolean posix = FileSystems.getDefault().supportedFileAttributeViews().contains("posix");
-        FileAttribute<?>[] rights = secret && posix
-            ? new FileAttribute<?>[] {PosixFilePermissions.asFileAttribute(OWNER)}
-            : new FileAttribute<?>[0];
-        try (OutputStream out = Channels.newOutputStream(Files.newByteChannel(file,
-                Set.of(StandardOpenOption.WRITE, StandardOpenOption.CREATE_NEW), rights))) {
-            out.write(text.getBytes(StandardCharsets.US_ASCII));
+        try {
+            Files.createFile(file, secret ? OutputFiles.ownerOnly() : new FileAttribute<?>[0]);
+            Files.writeString(file, text, StandardCharsets.US_ASCII);
         } catch (FileAlreadyExistsException problem) {
             throw exists(file);
         } catch (IOException problem) {
