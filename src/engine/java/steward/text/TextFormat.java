@@ -6,7 +6,7 @@ import java.math.RoundingMode;
 /** Format of numbers and texts for commands, the same in every locale. */
 public final class TextFormat {
 
-    private static final double NANOS_PER_MS = 1e6;
+    public static final double NANOS_PER_MS = 1e6;
     private static final String DOTS = "...";
     private static final double MINUTE = 60;
     private static final int ROUND_SECONDS = 10;

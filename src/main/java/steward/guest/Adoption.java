@@ -18,6 +18,7 @@ import steward.bot.isolation.Isolation;
 import steward.guest.RefereeBlock.Name;
 import steward.guest.project.LeagueLevels;
 import steward.guest.project.SdkProject;
+import steward.text.TextFormat;
 import tools.jackson.core.util.DefaultIndenter;
 import tools.jackson.core.util.DefaultPrettyPrinter;
 import tools.jackson.core.util.Separators;
@@ -36,7 +37,6 @@ public final class Adoption {
     private static final int SEEDS = 3;
     /** Milliseconds for trial games, each of which is played up to four times. */
     private static final double BUDGET_MS = 6_000;
-    private static final double NANOS_PER_MS = 1e6;
     private static final int LIMIT_MS = 60_000;
     private static final DefaultIndenter LINES = new DefaultIndenter("  ", "\n");
     private static final DefaultPrettyPrinter INDENTED = new DefaultPrettyPrinter(
@@ -221,7 +221,7 @@ public final class Adoption {
             questions = first.questions();
             told.accept("games take long: the first " + questions + " questions of each were looked at");
         }
-        double ms = (System.nanoTime() - began) / NANOS_PER_MS;
+        double ms = (System.nanoTime() - began) / TextFormat.NANOS_PER_MS;
         int most = Math.max(SEEDS, project.tests().size());
         int count = (int) Math.max(1, Math.min(most, BUDGET_MS / (most == SEEDS ? 4 : 2) / ms));
         if (count < project.tests().size()) {

@@ -29,7 +29,6 @@ public record BotCheck(Contest contest, List<Tried> games) {
     private static final long SEED = 1;
     /** An answer that takes more of its limit is late on a machine that is a little slower. */
     private static final double EDGE = 0.8;
-    private static final double NANOS_PER_MS = 1e6;
     /** Most times that a game is begun anew in which a bundled bot was late. */
     private static final int MOST_SPOILT = 3;
     /** In place of the slowest answer, where it was not charged for a busy machine. */
@@ -183,7 +182,7 @@ public record BotCheck(Contest contest, List<Tried> games) {
     }
 
     private static String ms(long nanos) {
-        return TextFormat.number(nanos / NANOS_PER_MS, 1) + " ms";
+        return TextFormat.number(nanos / TextFormat.NANOS_PER_MS, 1) + " ms";
     }
 
     /** The steps in order, with what they came to. */

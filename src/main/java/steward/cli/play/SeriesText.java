@@ -22,7 +22,6 @@ import steward.text.TextFormat;
 final class SeriesText {
 
     private static final int KINDS_SHOWN = 10;
-    private static final double NANOS_PER_MS = 1e6;
     private static final double PERCENTILE = 0.99;
     private static final int LONGEST_NAME = 40;
 
@@ -112,7 +111,7 @@ final class SeriesText {
 
         /** A time in milliseconds, of which there is none without answers. */
         private double ms(ToDoubleFunction<AnswerTimes> nanos) {
-            return times.count() > 0 ? nanos.applyAsDouble(times) / NANOS_PER_MS : Double.NaN;
+            return times.count() > 0 ? nanos.applyAsDouble(times) / TextFormat.NANOS_PER_MS : Double.NaN;
         }
     }
 
@@ -145,14 +144,14 @@ final class SeriesText {
     static Table<Bot> times() {
         return new Table<Bot>().left("bot", 0, Bot::name)
             .value("answers", bot -> bot.times.count()).shown("answers", 8)
-            .value("mean", bot -> bot.times.meanNanos() / NANOS_PER_MS).shown("mean ms", 10, 2)
+            .value("mean", bot -> bot.times.meanNanos() / TextFormat.NANOS_PER_MS).shown("mean ms", 10, 2)
             .value("p99", bot -> bot.ms(times -> times.quantileNanos(PERCENTILE))).shown("p99 ms", 10, 2)
             .value("worst", bot -> bot.ms(AnswerTimes::worstNanos)).shown("worst ms", 10, 2)
             .value("worstGame", bot -> bot.times.count() > 0 ? bot.times.worstGame() : null)
             .value("worstTurn", bot -> bot.times.count() > 0 ? bot.times.worstTurn() : null)
-            .value("meanFirst", bot -> bot.times.meanFirstNanos() / NANOS_PER_MS).shown("first ms", 10, 2)
+            .value("meanFirst", bot -> bot.times.meanFirstNanos() / TextFormat.NANOS_PER_MS).shown("first ms", 10, 2)
             .value("worstFirst", bot -> Double.isNaN(bot.times.meanFirstNanos()) ? Double.NaN
-                : bot.times.worstFirstNanos() / NANOS_PER_MS)
+                : bot.times.worstFirstNanos() / TextFormat.NANOS_PER_MS)
             .left("worst in", 3, bot -> bot.times.count() == 0 ? "" : "game " + bot.times.worstGame() + ", turn "
                 + bot.times.worstTurn());
     }

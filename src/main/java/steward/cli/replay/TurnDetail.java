@@ -19,7 +19,6 @@ import steward.text.TextFormat;
 /** Printer of everything that was recorded of one turn. */
 final class TurnDetail {
 
-    private static final double NANOS_PER_MS = 1e6;
     private static final int WIDTH = 100;
     private static final int DECIMALS = 9;
 
@@ -121,7 +120,7 @@ final class TurnDetail {
                 : Double.NaN;
             out.println();
             out.println("player " + player + ", " + ReplayHeaderText.name(replay.header(), player)
-                + (Double.isNaN(time) ? "" : ", " + TextFormat.fixed(time / NANOS_PER_MS, 2) + " ms"));
+                + (Double.isNaN(time) ? "" : ", " + TextFormat.fixed(time / TextFormat.NANOS_PER_MS, 2) + " ms"));
             Object command = player < commands.size() ? commands.get(player) : null;
             say(out, "sent   ", sent[player]);
             say(out, "command", command == null ? "none" : spell(command));

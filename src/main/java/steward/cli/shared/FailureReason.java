@@ -11,7 +11,6 @@ import steward.text.TextFormat;
 /** Reason of a bot's failure, as text for people and as JSON for programs. */
 public final class FailureReason {
 
-    private static final double NANOS_PER_MS = 1e6;
     private static final int LONGEST = 120;
 
     private FailureReason() { }
@@ -72,6 +71,6 @@ public final class FailureReason {
     }
 
     private static double ms(long nanos, boolean shown) {
-        return shown ? nanos / NANOS_PER_MS : Double.NaN;
+        return shown ? nanos / TextFormat.NANOS_PER_MS : Double.NaN;
     }
 }

@@ -21,7 +21,6 @@ import steward.text.TextFormat;
 /** Result of a match, as text for people and as JSON for programs. */
 public final class MatchReport {
 
-    private static final double NANOS_PER_MS = 1e6;
     private static final int LONGEST_NAME = 40;
 
     private MatchReport() { }
@@ -133,8 +132,9 @@ public final class MatchReport {
             OwnLimits.FIELD, OwnLimits.writtenOrNull(entrant.limits()), "rank", player.rank(),
             "score", player.score(), "out", player.out(), "fault", player.fault(),
             "failure", FailureReason.fields(failure),
-            "answerMs", Fields.of("average", player.averageNanos() / NANOS_PER_MS,
-                "worst", player.worstNanos() / NANOS_PER_MS, "first", player.firstNanos() / NANOS_PER_MS),
+            "answerMs", Fields.of("average", player.averageNanos() / TextFormat.NANOS_PER_MS,
+                "worst", player.worstNanos() / TextFormat.NANOS_PER_MS,
+                "first", player.firstNanos() / TextFormat.NANOS_PER_MS),
             "heldFrom", turnOrNull(player.heldFrom()), "warnings", player.earlyTurns() == 0 ? List.of()
                 : List.of("lines beyond the answer in " + TextFormat.count(player.earlyTurns(), "turn")),
             "data", player.data());

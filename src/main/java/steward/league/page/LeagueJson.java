@@ -12,11 +12,11 @@ import steward.league.rating.LeagueTable;
 import steward.league.rating.LeagueTable.Row;
 import steward.report.Fields;
 import steward.report.Table;
+import steward.text.TextFormat;
 
 /** League as JSON, for programs and for its own page. */
 public final class LeagueJson {
 
-    private static final double NANOS_PER_MS = 1e6;
     /** Bots up to which all differences are told: each takes time by the number of pairings, all of them bots^4. */
     private static final int MOST_ALL = 100;
     /** Places above and below a bot to which its differences are told of more bots. */
@@ -107,9 +107,9 @@ public final class LeagueJson {
             .value("points", Row::points).value("wins", Row::wins).value("draws", Row::draws)
             .value("losses", Row::losses).value("faults", row -> row.sums().faults())
             .value("allFailed", row -> row.sums().allFailed()).value("score", row -> row.sums().meanScore())
-            .value("meanMs", row -> row.sums().meanNanos() / NANOS_PER_MS)
+            .value("meanMs", row -> row.sums().meanNanos() / TextFormat.NANOS_PER_MS)
             .value("worstMs", row -> row.sums().games() == 0 && !flat ? Double.NaN
-                : row.sums().worstNanos() / NANOS_PER_MS);
+                : row.sums().worstNanos() / TextFormat.NANOS_PER_MS);
     }
 
     /**

@@ -15,12 +15,12 @@ import steward.lab.bench.Effort;
 import steward.lab.bench.Row;
 import steward.lab.bench.Section;
 import steward.lab.timing.Stretch;
+import steward.text.TextFormat;
 
 /** Bench section on start-up: from the program's start to the first line that a bot is sent. */
 public record StartupSection(MatchFixture fixture) implements Section {
 
     private static final int ROUNDS = 20;
-    private static final double NANOS_PER_MS = 1e6;
 
     @Override
     public String name() {
@@ -46,7 +46,7 @@ public record StartupSection(MatchFixture fixture) implements Section {
             contenders.add(new Contender("launcher", least -> start(fixture.launcher())));
         }
         new Comparison(name(), "starts", contenders, (samples, k) ->
-            String.format(Locale.ROOT, "%.0f ms to the first frame", samples.median(k) / NANOS_PER_MS))
+            String.format(Locale.ROOT, "%.0f ms to the first frame", samples.median(k) / TextFormat.NANOS_PER_MS))
             .run(effort.rounds(ROUNDS), step, rows);
     }
 

@@ -18,7 +18,6 @@ import steward.text.TextFormat;
 /** A league's table as text for people. */
 public final class TableText {
 
-    private static final double NANOS_PER_MS = 1e6;
     private static final int LONGEST_NAME = 30;
     private static final double HUNDRED = 100;
     /** More bots make a crosstable that is wider than a terminal. */
@@ -127,7 +126,7 @@ public final class TableText {
             .right("faults", 8, row -> Long.toString(row.sums().faults()))
             .painted((row, word) -> row.sums().faults() > 0 ? colour.bad(word) : word)
             .right("all failed", 12, row -> Long.toString(row.sums().allFailed()))
-            .right("mean ms", 9, row -> TextFormat.fixed(row.sums().meanNanos() / NANOS_PER_MS, 2))
+            .right("mean ms", 9, row -> TextFormat.fixed(row.sums().meanNanos() / TextFormat.NANOS_PER_MS, 2))
             .right("worst ms", 10, ofPlayed(row -> TextFormat.ms(row.sums().worstNanos())))
             .right("mean score", 12, row -> TextFormat.fixed(row.sums().meanScore(), 2)).lines(table.rows());
     }
