@@ -116,10 +116,6 @@ public final class DoubleDouble {
         return normalize(product, error + (high * other.low + low * other.high));
     }
 
-    public DoubleDouble square() {
-        return multiply(this);
-    }
-
     /** Divides; a divisor of 0 gives an infinity or NaN in {@link #high}. */
     public DoubleDouble divide(DoubleDouble divisor) {
         double quotient = high / divisor.high;

@@ -104,11 +104,6 @@ public final class TextbookSimulator {
         return impacts;
     }
 
-    /** The total kinetic energy: the sum of half of mass times speed squared. */
-    public double energy() {
-        return Arrays.stream(discs).mapToDouble(d -> d.mass * (d.vx * d.vx + d.vy * d.vy) / 2).sum();
-    }
-
     /** Queues the next impacts of a disc with every other disc and with the walls. */
     private void predict(Disc disc) {
         if (disc == null) {

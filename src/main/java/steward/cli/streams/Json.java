@@ -78,12 +78,7 @@ public final class Json {
         print(streams.out(), fields::write);
     }
 
-    /** As above, of fields that write themselves. */
-    public static void print(Streams streams, Consumer<JsonGenerator> fields) {
-        print(streams.out(), fields);
-    }
-
-    /** As above, to one of the streams. */
+    /** As above, of fields that write themselves, to one of the streams. */
     public static void print(PrintStream to, Consumer<JsonGenerator> fields) {
         try (JsonGenerator out = PRINTED.createGenerator(ObjectWriteContext.empty(), new UnclosedOutputStream(to))) {
             out.writeStartObject();
