@@ -37,14 +37,6 @@ public enum Arithmetic {
         };
     }
 
-    /** True if rounding errors are added back in doubles. */
-    public boolean isCompensated() {
-        return switch (this) {
-            case COMPENSATED -> true;
-            case OFFICIAL, DOUBLE, EXACT -> false;
-        };
-    }
-
     /** Its name in a scene. */
     public String text() {
         return name().toLowerCase(Locale.ROOT);

@@ -66,7 +66,7 @@ public final class Main {
 
     private static final List<String> COMMANDS = List.of("match", "run", "replay", "feed", "scene", "explain", "demo",
         "league", "worker", "sprt", "tune", "seeds", "check", "tournament",
-        "simulate", "import", "key", "referee", "play", "resident", "stability", "tradeoff", "bench", "new", "adopt",
+        "simulate", "import", "key", "referee", "play", "resident", "tradeoff", "bench", "new", "adopt",
         "doctor",
         CompletionCommand.NAME, HelpCommand.NAME);
 
@@ -186,7 +186,7 @@ public final class Main {
             case "referee" -> RefereeCommand.spec();
             case "play" -> new PlayCommand();
             case "resident" -> new ResidentCommand(Main::run);
-            case "stability", "tradeoff", "bench" -> Lab.commandOrMissing(name);
+            case "tradeoff", "bench" -> Lab.commandOrMissing(name);
             case "new" -> new NewCommand();
             case "adopt" -> new AdoptCommand();
             case "doctor" -> new DoctorCommand();

@@ -91,7 +91,7 @@ class ArchitectureTest {
             "machines.check.Jobs -> java.io.ObjectInputStream"),
         BOTS("bot..", "game.. scene.. physics..", "bot.Rules -> game.Keeper"),
         /** Rooms that measure the physics play no matches. */
-        LABS("lab.(oracle|trial|stability|timing|calibration|tradeoff)..", "bot.. match..",
+        LABS("lab.(oracle|trial|timing|calibration|tradeoff)..", "bot.. match..",
             "lab.trial.Asks -> bot.Bot"),
         /** But for the browser, JVMs that time one kind of turns each, and the JDK's own program that makes keys. */
         PROCESSES("not bot.. live.. lab.timing.. lab.bench.section.. machines.token..",

@@ -162,7 +162,7 @@ class LauncherTest {
     @Test
     void theLabStandsLastAndOnlyWhereItIsNeeded() throws IOException, InterruptedException {
         String lab = "/lib/steward-lab.jar\nsteward.cli.Main\n";
-        for (String call : List.of("bench --quick", "stability", "tradeoff --calibrate duel",
+        for (String call : List.of("bench --quick", "tradeoff --calibrate duel",
             "help", "--help", "completion", "--cli bench", "")) {
             assertTrue(started("17", LINUX, call.isEmpty() ? new String[0] : call.split(" ")).contains(lab), call);
         }

@@ -74,7 +74,6 @@ class LocaleTest {
         new Call(0, "referee -scene dé.json -p1 'json:sh José.sh' -p2 builtin:racer -r ré.jsonl -l lé.json", ""),
         new Call(0, "play --json-league 'json:sh José.sh' builtin:racer --scene dé.json --out plé.jsonl", ""),
         new Call(0, "resident --socket söcket/s --idle 1s", ""),
-        new Call(2, "stability --case Größe", "'Größe'"),
         new Call(2, "tradeoff --scene 'nié.json'", "nié.json"),
         new Call(2, "bench --quick --only främe", "främe"),
         new Call(2, "adopt Projékt --as game", "Projékt"),

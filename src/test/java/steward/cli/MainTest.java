@@ -75,7 +75,7 @@ class MainTest {
         assertEquals(0, new ProcessBuilder("/bin/bash", "-n", completion.toString()).inheritIO().start().waitFor());
         String script = Files.readString(completion);
         for (String word : List.of("--no-deadline", "mad-pod-racing", "builtin:veteran", "codingame", "compensated",
-            "crowd of 1000, 10%", "crowds", "dense-box", "failed", "python")) {
+            "crowds", "dense-box", "failed", "python")) {
             assertTrue(script.contains(word), word);
         }
     }
@@ -92,8 +92,7 @@ class MainTest {
         + "builtin:striker builtin:veteran",
         "steward match --bot builtin : ve | veteran",
         "steward match --bot me = builtin : ra | racer", "steward match --scene w | walled-race",
-        "steward match --keep f | failed", "steward match --threads a | auto", "steward stability --rung e | exact",
-        "steward stability --case ti | ties", "steward stability --case mi | mirror\\ images",
+        "steward match --keep f | failed", "steward match --threads a | auto",
         "steward bench --only cr | crowds", "steward tradeoff --scene w | walled-race",
         "steward scene du | duel", "steward explain du | duel",
         "steward demo --accuracy do | double", "steward play --json-league builtin : v | veteran",

@@ -24,7 +24,7 @@ record MarkdownPage(String path, String text) {
     private static final Pattern CELL_END = Pattern.compile("(?<!\\\\)\\|");
     private static final Pattern SENTENCE_END = Pattern.compile("(?<=[.!?])[)\"*]*\\s+");
     /** A page that a command writes as a whole; and tables between these comments. */
-    private static final Pattern GENERATED_PAGE = Pattern.compile("(?m)^Written by `steward ");
+    private static final Pattern GENERATED_PAGE = Pattern.compile("(?m)^Written by `(?:steward|\\./gradlew) ");
     private static final Pattern GENERATED = Pattern.compile("(?s)<!-- generated.*?<!-- /generated -->\n?");
 
     /** README, manual, and what is written for contributors. */

@@ -19,12 +19,12 @@ import steward.lab.oracle.TurnTruth;
 import steward.lab.timing.RungJob;
 import steward.lab.timing.Timing;
 import steward.lab.timing.TimingSamples;
-import steward.lab.trial.Probe;
 import steward.numerics.StateHash;
 import steward.physics.Advance;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.PhysicsParts;
+import steward.physics.TurnSink;
 import steward.scene.Accuracy;
 import steward.scene.AccuracyFigures;
 import steward.scene.PhysicsFingerprint;
@@ -199,8 +199,9 @@ public final class Calibration {
     }
 
     /** Counts impacts, and the distinct times at which there are any. */
-    private static final class Moments extends Probe {
+    private static final class Moments implements TurnSink {
 
+        private long impacts;
         private int moments;
         private double last;
 

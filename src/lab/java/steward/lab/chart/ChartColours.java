@@ -11,25 +11,16 @@ import java.util.List;
  * @param faint  of the lines from marks to their names
  * @param steps  of the rungs with steps
  * @param events of the rungs with exact times
- * @param bars   of several things side by side
  */
 public record ChartColours(boolean isDark, Color background, Color ink, Color faint, Color grid, Color steps,
-                           Color events, List<Color> bars) {
+                           Color events) {
 
     /** For light pages. */
     public static final ChartColours LIGHT = new ChartColours(false, Color.WHITE, new Color(0x24292F),
-        new Color(0x8C959F), new Color(0xDDE1E5), new Color(0x0072B2), new Color(0xC04A00), List.of(
-        new Color(0x9AA5B1), new Color(0x56B4E9), new Color(0xC04A00), new Color(0x0072B2), new Color(0x009E73),
-        new Color(0xA3578A)));
+        new Color(0x8C959F), new Color(0xDDE1E5), new Color(0x0072B2), new Color(0xC04A00));
     /** For the background that code hosts show pages on at night. */
     public static final ChartColours DARK = new ChartColours(true, new Color(0x0D1117), new Color(0xE6EDF3),
-        new Color(0x768390), new Color(0x30363D), new Color(0x56B4E9), new Color(0xFF9B54), List.of(
-        new Color(0x768390), new Color(0x9BD3F5), new Color(0xFF9B54), new Color(0x56B4E9), new Color(0x2FC79B),
-        new Color(0xE0A3CB)));
-
-    public ChartColours {
-        bars = List.copyOf(bars);
-    }
+        new Color(0x768390), new Color(0x30363D), new Color(0x56B4E9), new Color(0xFF9B54));
 
     public static List<ChartColours> both() {
         return List.of(LIGHT, DARK);

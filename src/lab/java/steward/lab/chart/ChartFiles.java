@@ -31,12 +31,6 @@ public final class ChartFiles {
 
     private ChartFiles() { }
 
-    /** The tag that shows a page's reader the picture that suits it, of two files in the page's folder. */
-    public static String tag(String light, String dark, String words) {
-        return "<picture><source media=\"(prefers-color-scheme: dark)\" srcset=\"" + dark + "\"><img alt=\"" + words
-            + "\" src=\"" + light + "\"></picture>";
-    }
-
     /**
      * Writes a picture in pixels, replacing an older one.
      *

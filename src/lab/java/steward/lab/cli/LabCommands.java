@@ -9,7 +9,6 @@ public final class LabCommands implements Lab {
     @Override
     public Object command(String name) {
         return switch (name) {
-            case "stability" -> new StabilityCommand();
             case "tradeoff" -> new TradeoffCommand();
             case "bench" -> new BenchCommand();
             default -> throw new IllegalArgumentException(name);

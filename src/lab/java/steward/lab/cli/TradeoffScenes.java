@@ -31,9 +31,7 @@ final class TradeoffScenes {
 
         @Override
         public Iterator<String> iterator() {
-            Set<String> names = new LinkedHashSet<>(all().stream().map(TradeoffScene::name).toList());
-            names.addAll(SceneFiles.shipped());
-            return names.iterator();
+            return known().iterator();
         }
     }
 
@@ -70,36 +68,35 @@ final class TradeoffScenes {
 
     private static TradeoffScene named(String word, Function<String, GameSetup> opener) {
         if (word.equals(RACE)) {
-            return race(RACE, "states of races by the official rules", Games.open(OFFICIAL));
+            return played(RACE, "states of races by the official rules", Games.open(OFFICIAL), Pilot.Aim.WIN);
         }
         if (word.equals(BRAWL)) {
-            GameSetup setup = Games.open(OFFICIAL);
-            return played(BRAWL, "states of four pods that all want the same checkpoint, official rules", setup,
-                Pilot.Aim.GATHER);
+            return played(BRAWL, "states of four pods that all want the same checkpoint, official rules",
+                Games.open(OFFICIAL), Pilot.Aim.GATHER);
         }
         if (word.equals(GrazingPasses.NAME)) {
             return GrazingPasses.scene();
         }
         checkKnown(word);
         GameSetup setup = opener.apply(word);
-        return race(setup.scene().name(), "states of games in this scene", setup);
+        return played(setup.scene().name(), "states of games in this scene", setup, Pilot.Aim.WIN);
+    }
+
+    private static Set<String> known() {
+        Set<String> known = new LinkedHashSet<>(List.of(RACE, BRAWL, GrazingPasses.NAME));
+        known.addAll(SceneFiles.shipped());
+        return known;
     }
 
     /** Refuses what is neither a name nor a file, and suggests similar names. */
     private static void checkKnown(String word) {
-        Set<String> known = new LinkedHashSet<>(List.of(RACE, BRAWL, GrazingPasses.NAME));
-        List<String> shipped = SceneFiles.shipped();
-        known.addAll(shipped);
+        Set<String> known = known();
         boolean file = StandardFiles.is(word) || word.endsWith(".json") || word.contains("/")
             || Files.exists(OutputFiles.path(word));
         if (!file && !known.contains(word)) {
             throw new InputException("--scene: found '" + word + "', expected a scene file or one of "
                 + String.join(", ", known) + NearestName.question(word, known, "'"));
         }
-    }
-
-    private static TradeoffScene race(String name, String about, GameSetup setup) {
-        return played(name, about, setup, Pilot.Aim.WIN);
     }
 
     private static TradeoffScene played(String name, String about, GameSetup setup, Pilot.Aim aim) {

@@ -1,2 +1,2 @@
-/** Commands that measure: {@code stability}, {@code tradeoff}, {@code bench}. */
+/** Commands that measure: {@code tradeoff}, {@code bench}. */
 package steward.lab.cli;

@@ -1,5 +1,2 @@
-/**
- * The building blocks of stability cases: rungs, run lengths, findings, seeded pairs and gases, balances of energy and
- * momentum, and checks against the oracle.
- */
+/** Seeded pairs and gases for measurements, and a count of their impacts. */
 package steward.lab.trial;

@@ -27,8 +27,7 @@ class JsonOfTablesTest {
     @CsvSource(delimiter = '|', value = {
         "scene                                                              | scenes | name, game, players, about",
         "run gas --turns 3 --seed 1                                         | rows   | turn, energy, momentumX",
-        "bench --quick --only crowds --bodies 20                            | rows   | section, name, perSecond, ratio",
-        "stability --quick --case bullet --rung double                  | rows   | case, rung, verdict"})
+        "bench --quick --only crowds --bodies 20                           | rows   | section, name, perSecond, ratio"})
     void aTableIsAnArrayOfObjects(String call, String array, String fields) {
         Cli cli = Cli.run(steward.bot.command.CommandLine.split(call + " --json").toArray(String[]::new)).done();
         JsonNode rows = cli.json().get(array);

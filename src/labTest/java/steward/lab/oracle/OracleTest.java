@@ -209,8 +209,9 @@ class OracleTest {
         state.forEach(OracleBody::reverse);
         assertEquals(impacts.size(), oracle.turn(state).size());
         for (int k = 0; k < 9; k++) {
-            assertTrue(Decimals.relative(bodies.x[k], state.get(k).x, BigDecimal.ONE) < 1e-30, "body " + k);
-            assertTrue(Decimals.relative(bodies.vy[k], state.get(k).vy.negate(), BigDecimal.ONE) < 1e-30, "body " + k);
+            assertTrue(DecimalErrors.relative(bodies.x[k], state.get(k).x, BigDecimal.ONE) < 1e-30, "body " + k);
+            assertTrue(DecimalErrors.relative(bodies.vy[k], state.get(k).vy.negate(), BigDecimal.ONE) < 1e-30,
+                "body " + k);
         }
     }
 

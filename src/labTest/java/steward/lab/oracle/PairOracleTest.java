@@ -62,9 +62,9 @@ class PairOracleTest {
                 hits++;
                 BigDecimal time = impacts.get(0).time();
                 double near = time.doubleValue();
-                assertEquals(Decimals.ulps(near, time), truth.ulps(near), 1e-12, "seed " + seed);
+                assertEquals(DecimalErrors.ulps(near, time), truth.ulps(near), 1e-12, "seed " + seed);
                 double off2 = near + 3 * Math.ulp(near);
-                assertEquals(Decimals.ulps(off2, time), truth.ulps(off2), 2, "seed " + seed);
+                assertEquals(DecimalErrors.ulps(off2, time), truth.ulps(off2), 2, "seed " + seed);
             }
         }
         assertTrue(hits > 0.4 * pairs, "hits " + hits);

@@ -6,10 +6,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import steward.files.Resources;
-import steward.lab.chart.ChartFiles;
+import steward.lab.chart.PictureTag;
 import steward.lab.stability.TruePathPlot.Figure;
 import steward.lab.trial.Finding;
-import steward.lab.trial.RunLength;
 import steward.text.TextFormat;
 
 /** The page with the results: all of its numbers are those of the rows. */
@@ -22,17 +21,14 @@ public final class StabilityPage {
     private static final String COMMANDS = """
         ## Commands
 
-            steward stability                            # approximately 10 minutes
-            steward stability --quick                    # what the tests run: about a minute
-            steward stability --long --out results       # hours: 10^8 random pairs, 10^9 impacts of a crowd
-            steward stability --out docs --overwrite     # the table as CSV and JSON
-            ./gradlew test --tests '*PublishedStability*'    # this page and its picture, in build/pages
+            ./gradlew campaigns --tests '*StabilityTableTest'    # approximately 10 minutes
+            ./gradlew quickTest --tests '*StabilityTest'         # short versions: a few seconds
 
-        `--case NAME` and `--rung NAME`, both repeatable, play one part. A crowd may be played as long as you like:
+        The first one writes page, table and picture into `build/pages`. `-Psteward.length=long` plays long versions, in
+        hours: 10^8 random pairs, 10^9 impacts of a crowd. `-Psteward.rows` is a regular expression of case and rung:
 
-            steward stability --case 'crowd of 1000, 10%' --rung double --impacts 1000000000
-
-        Files grow row by row. After Ctrl-C they hold the finished rows; the figures of the unfinished row are printed.
+            ./gradlew campaigns --tests '*StabilityTableTest' -Psteward.length=long \\
+                -Psteward.rows='crowd of 1000, 10%, double'
         """;
 
     private static final String NOTES = """
@@ -51,9 +47,9 @@ public final class StabilityPage {
 
         ## The same bits everywhere
 
-        `steward stability --golden` prints one hash over worlds, games and rungs, which is equal on every machine. The
-        following compares it interpreted, under C1 and C2, and without fused multiply-add (FMA), an instruction of
-        processors. It also compares other garbage collectors and another JDK:
+        One hash over worlds, games and rungs is equal on every machine. The following prints and compares it:
+        interpreted, under C1 and C2, and without fused multiply-add (FMA), an instruction of processors. It also
+        compares other garbage collectors and another JDK:
 
             ./gradlew golden -PotherJdk=/path/to/another/jdk       # minutes, approximately
 
@@ -66,15 +62,15 @@ public final class StabilityPage {
     private final List<StabilityRow> rows;
     private final Map<String, List<StabilityRow>> cases = new LinkedHashMap<>();
 
-    private StabilityPage(StabilityRun run, List<StabilityRow> rows) {
+    private StabilityPage(StabilityRun run) {
         this.run = run;
-        this.rows = rows;
+        rows = run.rows();
         rows.forEach(row -> cases.computeIfAbsent(row.name(), name -> new ArrayList<>()).add(row));
     }
 
     /** In Markdown. */
-    public static String text(StabilityRun run, List<StabilityRow> rows) {
-        StabilityPage page = new StabilityPage(run, rows);
+    public static String text(StabilityRun run) {
+        StabilityPage page = new StabilityPage(run);
         StringBuilder out = new StringBuilder();
         page.begin(out);
         page.truePath(out);
@@ -102,16 +98,15 @@ public final class StabilityPage {
         out.append(String.format(Locale.ROOT, """
             # Stability at the numerical extremes
 
-            `steward stability` plays extreme cases on every rung, that is, at every setting of
-            [accuracy](accuracy.md). For each it says what is demanded, what was seen, and the verdict. If one demand
-            fails, the exit status is 1. Of %s %,d are met and %,d %s not, in a run of %s length.
+            A campaign plays extreme cases on every rung, that is, at every setting of [accuracy](accuracy.md). For each
+            it says what is demanded, what was seen, and the verdict. If one demand fails, so does the campaign. Of %s
+            %,d are met and %,d %s not, in a run of %s length.
 
-            Written by `steward stability` %s on %s: %s. Date and version of each row
-            stand in [the table](stability.csv).
+            Written by `./gradlew campaigns --tests '*StabilityTableTest'` of Steward %s on %s: %s.
+            All columns stand in [the table](stability.csv).
             """, TextFormat.count(verdicts(Finding.Verdict.HOLDS) + failed, "demand"),
             verdicts(Finding.Verdict.HOLDS), failed, failed == 1 ? "is" : "are", length(), run.version(), run.date(),
             run.machine()));
-        out.append(run.length() == RunLength.SMALL ? "Made with --quick: few of everything.\n" : "");
     }
 
     private String length() {
@@ -123,7 +118,7 @@ public final class StabilityPage {
         if (paths.isEmpty()) {
             return;
         }
-        out.append("\n## How long a path is true\n\n").append(ChartFiles.tag(TruePathPlot.PNG, TruePathPlot.DARK_PNG,
+        out.append("\n## How long a path is true\n\n").append(PictureTag.of(TruePathPlot.PNG, TruePathPlot.DARK_PNG,
             "True impacts of each disc, by rung and number of discs")).append("\n\nDiscs move in a box until an impact "
             + "is another than in truth, or at another time.\nEach impact multiplies any rounding, also that of the "
             + "state between turns. So the number of\nimpacts of each disc counts, not that of turns.");
@@ -179,7 +174,7 @@ public final class StabilityPage {
         out.append("\n## How to cite\n\nName version, date and machine, the case, the rung and the length. The figures "
             + "of a seed are equal on every machine;\nseconds are not. Each row of [stability.csv](stability.csv) has "
             + "all of it, the whole bound too:\n\n> Steward ").append(run.version())
-            .append(", `steward stability`, ").append(length()).append(" version, ").append(run.date()).append(", ")
+            .append(", table of extremes, ").append(length()).append(" version, ").append(run.date()).append(", ")
             .append(run.machine()).append(": case \"").append(row.name()).append("\", rung ").append(row.rung())
             .append(", ").append(word(row)).append(" (").append(row.seen().text()).append(").\n\n");
     }

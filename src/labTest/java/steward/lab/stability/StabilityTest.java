@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -26,7 +25,6 @@ import steward.lab.stability.pairs.OfficialEdgesCase;
 import steward.lab.stability.pairs.RandomPairsCase;
 import steward.lab.trial.Finding;
 import steward.lab.trial.PairTally;
-import steward.lab.trial.Progress;
 import steward.lab.trial.RunLength;
 import steward.lab.trial.Rung;
 import steward.lab.trial.StabilityCase;
@@ -39,8 +37,9 @@ import steward.physics.event.EventAdvance;
 import steward.physics.event.QueueAdvance;
 
 /**
- * Every case of the stability table in its short version; in campaigns on every rung. It takes long because rest and
- * random chains are computed to the end of their turns, and once more by rungs that must fail.
+ * Cases of the stability table in their short version; {@link StabilityTableTest} plays all of them on every rung. It
+ * takes long because rest and random chains are computed to the end of their turns, and once more by rungs that must
+ * fail.
  */
 @Execution(ExecutionMode.CONCURRENT)
 class StabilityTest {
@@ -61,21 +60,22 @@ class StabilityTest {
         return rows(each -> !takesLong(each)).filter(StabilityTest::isWhereGamesArePlayed);
     }
 
-    /** Rows of the rungs but that of most games; in {@code test} the exact one alone. */
-    static Stream<Arguments> rowsOfOtherRungs() {
-        return rows(each -> !takesLong(each)).filter(row -> !isWhereGamesArePlayed(row))
-            .filter(row -> TestSize.isWhole() || Arithmetic.EXACT.text().equals(row.get()[1]));
+    static Stream<Arguments> exactRows() {
+        return rows(each -> !takesLong(each)).filter(StabilityTest::isExact);
     }
 
     private static boolean isWhereGamesArePlayed(Arguments row) {
         return Arithmetic.DOUBLE.text().equals(row.get()[1]);
     }
 
-    /** In {@code test} all but the longest, on a rung that many games are played on. */
+    private static boolean isExact(Arguments row) {
+        return Arithmetic.EXACT.text().equals(row.get()[1]);
+    }
+
+    /** All but the longest, on a rung that many games are played on. */
     static Stream<Arguments> longRows() {
-        return rows(StabilityTest::takesLong).filter(row -> TestSize.isWhole() || !LONGEST.contains(row.get()[0])
-            && (ONLY_EXACT.contains(row.get()[0]) ? Arithmetic.EXACT.text().equals(row.get()[1])
-                : isWhereGamesArePlayed(row)));
+        return rows(StabilityTest::takesLong).filter(row -> !LONGEST.contains(row.get()[0])
+            && (ONLY_EXACT.contains(row.get()[0]) ? isExact(row) : isWhereGamesArePlayed(row)));
     }
 
     private static boolean takesLong(StabilityCase each) {
@@ -83,28 +83,26 @@ class StabilityTest {
     }
 
     private static Stream<Arguments> rows(Predicate<StabilityCase> which) {
-        return StabilityCases.all(0).stream().filter(which)
+        return StabilityCases.all().stream().filter(which)
             .flatMap(each -> Rung.all().stream().map(rung -> Arguments.of(each.name(), rung.name(), each, rung)));
     }
 
     @ParameterizedTest(name = "{0}, {1}")
     @MethodSource("rowsWhereGamesArePlayed")
     void theDemandIsMet(String name, String rungName, StabilityCase each, Rung rung) {
-        Finding seen = each.run(rung, RunLength.SMALL, Progress.NONE);
+        Finding seen = each.run(rung, RunLength.SMALL);
         assertNotEquals(Finding.Verdict.FAILS, seen.verdict(), seen::text);
     }
 
     @ParameterizedTest(name = "{0}, {1}")
     @Tag("slow")
-    @MethodSource("rowsOfOtherRungs")
-    @Tag("sized")
-    void theDemandIsMetOnOtherRungs(String name, String rungName, StabilityCase each, Rung rung) {
+    @MethodSource("exactRows")
+    void theDemandIsMetOnTheExactRung(String name, String rungName, StabilityCase each, Rung rung) {
         theDemandIsMet(name, rungName, each, rung);
     }
 
     @ParameterizedTest(name = "{0}, {1}")
     @Tag("slow")
-    @Tag("sized")
     @MethodSource("longRows")
     void theDemandOfALongCaseIsMet(String name, String rungName, StabilityCase each, Rung rung) {
         theDemandIsMet(name, rungName, each, rung);
@@ -152,7 +150,7 @@ class StabilityTest {
 
     @Test
     void namesAreUniqueAndDemandsAreSaid() {
-        List<StabilityCase> all = StabilityCases.all(0);
+        List<StabilityCase> all = StabilityCases.all();
         assertEquals(all.size(), new TreeSet<>(all.stream().map(StabilityCase::name).toList()).size());
         assertTrue(all.stream().map(StabilityCase::name).toList().containsAll(LONG));
         assertTrue(all.stream().noneMatch(each -> each.demand().isBlank()));
@@ -167,8 +165,8 @@ class StabilityTest {
         assertFalse(rungs.isEmpty());
         for (StabilityCase each : List.of(new BulletCase(), new MirrorCase(), new OfficialEdgesCase())) {
             for (Rung rung : rungs) {
-                assertEquals(each.run(rung, RunLength.SMALL, Progress.NONE),
-                    each.run(rung, RunLength.SMALL, Progress.NONE), each.name());
+                assertEquals(each.run(rung, RunLength.SMALL),
+                    each.run(rung, RunLength.SMALL), each.name());
             }
         }
     }
@@ -253,11 +251,11 @@ class StabilityTest {
     }
 
     private static List<StabilityCase> quickOnes() {
-        return StabilityCases.all(0).stream().filter(each -> !isCampaign(each)).toList();
+        return StabilityCases.all().stream().filter(each -> !isCampaign(each)).toList();
     }
 
     private static List<StabilityCase> shortOnes() {
-        return StabilityCases.all(0).stream().filter(each -> !takesLong(each)).toList();
+        return StabilityCases.all().stream().filter(each -> !takesLong(each)).toList();
     }
 
     private static List<String> noticedByAll(Rung wrong) {
@@ -266,13 +264,8 @@ class StabilityTest {
 
     /** The cases that fail. */
     private static List<String> noticed(Rung wrong, List<StabilityCase> cases) {
-        List<String> names = new ArrayList<>();
-        StabilityRow.tryAll(cases, List.of(wrong), RunLength.SMALL, (each, rung) -> { }, Progress.NONE, row -> {
-            if (row.failed()) {
-                names.add(row.name());
-            }
-        });
-        return names;
+        return cases.stream().map(each -> StabilityRow.of(each, wrong, RunLength.SMALL)).filter(StabilityRow::failed)
+            .map(StabilityRow::name).toList();
     }
 
     /** The other cases. */
@@ -281,16 +274,12 @@ class StabilityTest {
     }
 
     @Test
-    void anExceptionIsAFailureAndTheNextRowIsTried() {
-        Rung real = Rung.all().get(0);
-        Rung broken = new Rung("broken", true, true, real.arithmetic(), parts -> {
+    void anExceptionIsAFailure() {
+        Rung broken = new Rung("broken", true, true, Arithmetic.DOUBLE, parts -> {
             throw new IllegalStateException("on purpose");
         });
-        List<StabilityRow> rows = new ArrayList<>();
-        StabilityRow.tryAll(List.of(new BulletCase()), List.of(broken, real), RunLength.SMALL,
-            (each, rung) -> { }, Progress.NONE, rows::add);
-        assertTrue(rows.get(0).failed() && rows.get(0).seen().text().contains("on purpose"));
-        assertFalse(rows.get(1).failed());
+        StabilityRow row = StabilityRow.of(new BulletCase(), broken, RunLength.SMALL);
+        assertTrue(row.failed() && row.seen().text().contains("on purpose"), row::toString);
     }
 
     /** Found among 50 million random pairs: the heavy one's velocity was off by 0.655 units in the last place. */

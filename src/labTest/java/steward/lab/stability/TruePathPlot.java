@@ -35,6 +35,9 @@ record TruePathPlot(List<StabilityRow> rows) implements Drawing {
     private static final double FILLED = 0.9;
     private static final double ABOVE = 1.15;
 
+    private static final List<Integer> BARS = List.of(0x9AA5B1, 0x56B4E9, 0xC04A00, 0x0072B2, 0x009E73, 0xA3578A);
+    private static final List<Integer> DARK_BARS = List.of(0x768390, 0x9BD3F5, 0xFF9B54, 0x56B4E9, 0x2FC79B, 0xE0A3CB);
+
     private static final Pattern FIGURES = Pattern.compile("(\\d+) discs: (\\d+) impacts, (\\d+) for each");
 
     /**
@@ -88,7 +91,7 @@ record TruePathPlot(List<StabilityRow> rows) implements Drawing {
         double most = 1;
         for (int k = 0; k < rows.size(); k++) {
             List<Figure> figures = figures(rows.get(k).seen());
-            Color colour = colours.bars().get(k % colours.bars().size());
+            Color colour = bar(k, colours);
             chart.addSeries(rows.get(k).rung(), figures.stream().map(Figure::discs).map(String::valueOf).toList(),
                 figures.stream().map(Figure::each).toList()).setFillColor(colour);
             most = Math.max(most, figures.stream().mapToInt(Figure::each).max().orElse(0));
@@ -96,6 +99,11 @@ record TruePathPlot(List<StabilityRow> rows) implements Drawing {
         chart.getStyler().setYAxisMax(ABOVE * most);
         chart.paint(pen, WIDTH, CHART);
         legend(pen, colours);
+    }
+
+    private static Color bar(int k, ChartColours colours) {
+        List<Integer> bars = colours.isDark() ? DARK_BARS : BARS;
+        return new Color(bars.get(k % bars.size()));
     }
 
     private static int perLine() {
@@ -108,7 +116,7 @@ record TruePathPlot(List<StabilityRow> rows) implements Drawing {
         for (int k = 0; k < rows.size(); k++) {
             int x = LEFT + k % perLine() * PLACE;
             int y = CHART + (1 + k / perLine()) * LINE;
-            pen.setColor(colours.bars().get(k % colours.bars().size()));
+            pen.setColor(bar(k, colours));
             pen.fillRect(x, y - SQUARE, SQUARE, SQUARE);
             pen.setColor(colours.ink());
             pen.drawString(rows.get(k).rung(), x + SQUARE + SQUARE / 2, y);

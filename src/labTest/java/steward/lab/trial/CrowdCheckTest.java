@@ -46,8 +46,7 @@ class CrowdCheckTest {
     }
 
     private static void assertNothingIsMissed(int bodies, double coverage, long impacts, Arithmetic arithmetic) {
-        CrowdCheck.Result seen = CrowdCheck.run(new Gas(5, bodies, coverage), rung(arithmetic), impacts,
-            Progress.NONE);
+        CrowdCheck.Result seen = CrowdCheck.run(new Gas(5, bodies, coverage), rung(arithmetic), impacts);
         assertTrue(seen.isRight() && seen.impacts() >= impacts && seen.drift() < 1e-10, seen::toString);
     }
 
@@ -61,7 +60,7 @@ class CrowdCheckTest {
         bodies.setVelocity(8, 0, 0);
         bodies.setPosition(20, -3, 5);
         bodies.setVelocity(20, 0, 0);
-        CrowdCheck.Result seen = CrowdCheck.run(bodies, gas, rung(Arithmetic.DOUBLE), 1, Progress.NONE);
+        CrowdCheck.Result seen = CrowdCheck.run(bodies, gas, rung(Arithmetic.DOUBLE), 1);
         assertTrue(seen.overlaps() > 0 || seen.apart() > 0, seen::toString);
         assertTrue(seen.escapes() > 0, seen::toString);
     }
@@ -106,10 +105,10 @@ class CrowdCheckTest {
     @Test
     void theCaseFailsOnAWrongAdvance() {
         Rung real = rung(Arithmetic.DOUBLE);
-        StabilityCase crowd = new CrowdCase(100, 0.1, 0, 500);
-        assertEquals(Finding.Verdict.HOLDS, crowd.run(real, RunLength.SMALL, Progress.NONE).verdict());
+        StabilityCase crowd = new CrowdCase(100, 0.1, 0);
+        assertEquals(Finding.Verdict.HOLDS, crowd.run(real, RunLength.SMALL).verdict());
         Rung steps = new Rung("steps", true, false, Arithmetic.DOUBLE, parts -> new StepAdvance(parts, 4));
-        assertEquals(Finding.Verdict.FAILS, crowd.run(steps, RunLength.SMALL, Progress.NONE).verdict());
+        assertEquals(Finding.Verdict.FAILS, crowd.run(steps, RunLength.SMALL).verdict());
     }
 
     private static Rung rung(Arithmetic arithmetic) {

@@ -68,7 +68,7 @@ public final class ExplainCommand extends ProgramCommand {
         }
         if (choice.rung().equals(Accuracy.event(Arithmetic.EXACT))) {
             out.println("  its decisions are right within a turn; the state is rounded at its end as on every rung:");
-            out.println("  steward stability --case 'true path' counts the impacts until each has left the true path");
+            out.println("  docs/stability.md says after how many impacts a path leaves the true one");
         }
         out.println();
         settings(out, setup.scene());

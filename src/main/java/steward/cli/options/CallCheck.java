@@ -63,15 +63,13 @@ public final class CallCheck {
     /**
      * Returns the values that a repeatable option chooses by name.
      *
-     * @param names     as they were given; all are chosen where there are none
-     * @param separator between the known names in the refusal of an unknown one
+     * @param names as they were given; all are chosen where there are none
      */
-    public <T> List<T> chosen(String option, List<String> names, List<T> all, Function<T, String> nameOf,
-                              String separator) {
+    public <T> List<T> chosen(String option, List<String> names, List<T> all, Function<T, String> nameOf) {
         List<String> known = all.stream().map(nameOf).toList();
         for (String name : names) {
             that(known.contains(name), option + ": found '" + name + "', expected one of "
-                + String.join(separator, known) + NearestName.question(name, known, "'"));
+                + String.join(", ", known) + NearestName.question(name, known, "'"));
         }
         return names.isEmpty() ? all : all.stream().filter(each -> names.contains(nameOf.apply(each))).toList();
     }

@@ -11,7 +11,7 @@ import steward.files.InputException;
 /** Service through which the lab's jar offers its commands; the program works without that jar. */
 public interface Lab {
 
-    /** Creates one of the lab's commands: stability, tradeoff or bench. */
+    /** Creates one of the lab's commands: tradeoff or bench. */
     Object command(String name);
 
     static Optional<Lab> find() {

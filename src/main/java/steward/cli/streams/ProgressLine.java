@@ -58,13 +58,8 @@ public final class ProgressLine implements AutoCloseable {
 
     /** Says on a terminal how long the command will take, and that it may be broken off. */
     public static void announce(Streams streams, String duration) {
-        announce(streams, duration, "keeps what is complete");
-    }
-
-    /** @param then what Ctrl-C does besides, as a verb */
-    public static void announce(Streams streams, String duration, String then) {
         if (streams.errTerminal()) {
-            streams.err().println("This takes " + duration + "; Ctrl-C ends it and " + then + ".");
+            streams.err().println("This takes " + duration + "; Ctrl-C ends it and keeps what is complete.");
         }
     }
 

@@ -45,11 +45,11 @@ class CallCheckTest {
     @Test
     void namesChooseInTheOrderOfWhatThereIs() {
         List<String> all = List.of("masses", "speeds", "corners");
-        assertEquals(all, check.chosen("--case", List.of(), all, Function.identity(), "; "));
+        assertEquals(all, check.chosen("--case", List.of(), all, Function.identity()));
         assertEquals(List.of("masses", "corners"),
-            check.chosen("--case", List.of("corners", "masses"), all, Function.identity(), "; "));
-        refused("--case: found 'mases', expected one of masses; speeds; corners; did you mean 'masses'?",
-            () -> check.chosen("--case", List.of("mases"), all, Function.identity(), "; "));
+            check.chosen("--case", List.of("corners", "masses"), all, Function.identity()));
+        refused("--case: found 'mases', expected one of masses, speeds, corners; did you mean 'masses'?",
+            () -> check.chosen("--case", List.of("mases"), all, Function.identity()));
     }
 
     @Test

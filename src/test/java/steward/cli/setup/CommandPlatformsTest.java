@@ -43,7 +43,7 @@ class CommandPlatformsTest {
     /** @throws IllegalArgumentException if nothing is said of the command */
     private static Need of(String command) {
         return switch (command) {
-            case "run", "replay", "scene", "explain", "simulate", "import", "key", "stability", "tradeoff", "new",
+            case "run", "replay", "scene", "explain", "simulate", "import", "key", "tradeoff", "new",
                 "doctor", "help" -> Need.JAVA;
             case "match", "feed", "demo", "league", "worker", "sprt", "tune", "seeds", "check", "tournament", "referee",
                 "play", "adopt" -> Need.BOTS;

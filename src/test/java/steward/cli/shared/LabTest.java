@@ -29,7 +29,7 @@ class LabTest {
 
     @Test
     void itsCommandsNameTheMissingJar() {
-        String[][] calls = {{"stability", "--quick"}, {"tradeoff"}, {"bench", "--only", "start"}};
+        String[][] calls = {{"tradeoff"}, {"bench", "--only", "start"}};
         for (String[] call : calls) {
             Cli cli = withoutLab(call);
             assertEquals("steward: " + call[0] + ": found no lab, expected steward-lab.jar on the class path (an "

@@ -13,7 +13,7 @@ import steward.lab.timing.TimedWork;
 import steward.lab.timing.TimingEffort;
 import steward.lab.timing.WorkClock;
 import steward.lab.trial.Gas;
-import steward.lab.trial.Probe;
+import steward.lab.trial.ImpactCount;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
 import steward.physics.Contacts;
@@ -106,13 +106,13 @@ public final class CrowdSection implements Section {
 
         @Override
         public long run() {
-            Probe probe = new Probe();
+            ImpactCount count = new ImpactCount();
             bytes = -WorkClock.THREAD.bytes();
-            while (probe.impacts < impacts) {
-                advance.turn(bodies, probe);
+            while (count.impacts < impacts) {
+                advance.turn(bodies, count);
             }
             bytes += WorkClock.THREAD.bytes();
-            return probe.impacts;
+            return count.impacts;
         }
     }
 

@@ -10,7 +10,7 @@ import steward.lab.bench.Row;
 import steward.lab.bench.Section;
 import steward.lab.timing.TimedWork;
 import steward.lab.timing.WorkClock;
-import steward.lab.trial.Probe;
+import steward.lab.trial.ImpactCount;
 import steward.numerics.SplitMix64;
 import steward.physics.Arithmetic;
 import steward.physics.Bodies;
@@ -111,7 +111,7 @@ public final class HeapSection implements Section {
                 ImpactLaw.Restitution.MINIMUM), Arithmetic.DOUBLE, new Contacts(1), walls, null, false)
                 .withForces(forces));
             for (int turn = 1; turn <= TURNS_TO_REST; turn++) {
-                turn(new Probe());
+                turn(new ImpactCount());
                 double fastest = 0;
                 for (int k = 0; k < bodies.size(); k++) {
                     fastest = Math.max(fastest, Math.abs(bodies.vx[k]) + Math.abs(bodies.vy[k]));
@@ -124,20 +124,20 @@ public final class HeapSection implements Section {
             throw new IllegalStateException(bodies.size() + " bodies do not come to rest");
         }
 
-        private void turn(Probe probe) {
+        private void turn(ImpactCount count) {
             for (int k = 0; k < bodies.size(); k++) {
                 forces.accelerate(bodies, k, 0, 0);
             }
-            advance.turn(bodies, probe);
+            advance.turn(bodies, count);
         }
 
         @Override
         public long run() {
-            Probe probe = new Probe();
+            ImpactCount count = new ImpactCount();
             for (int turn = 0; turn < turns; turn++) {
-                turn(probe);
+                turn(count);
             }
-            contacts = probe.impacts / turns;
+            contacts = count.impacts / turns;
             return turns;
         }
     }

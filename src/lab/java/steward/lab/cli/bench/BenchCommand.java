@@ -103,7 +103,7 @@ public final class BenchCommand extends ProgramCommand {
     public Integer call() {
         brief.exclusive("--long", full, "--quick", quick);
         tables.check(out);
-        List<Section> sections = brief.chosen("--only", only, sections(), Section::name, ", ");
+        List<Section> sections = brief.chosen("--only", only, sections(), Section::name);
         if (tools == null) {
             brief.that(!only.contains(TOOLS), "--only " + TOOLS + ": expected --tools with it");
             sections = sections.stream().filter(section -> !section.name().equals(TOOLS)).toList();

@@ -25,15 +25,10 @@ public final class RunProgress {
         line = ProgressLine.watched(streams, begun + " of " + parts + ": " + what, STEPS);
     }
 
-    /** @param share of the part, 0..1 */
-    public void reach(double share) {
-        line.reach((int) (STEPS * share));
-    }
-
-    /** @param steps of how many the part reports each, to {@link #reach} in equal shares; by any thread */
+    /** @param steps of how many equal shares of the part each is reported; by any thread */
     public Runnable steps(int steps) {
         AtomicInteger taken = new AtomicInteger();
-        return () -> reach(Math.min(1, taken.incrementAndGet() / (double) steps));
+        return () -> line.reach((int) Math.min(STEPS, (long) STEPS * taken.incrementAndGet() / steps));
     }
 
     /** The part is over, and the line erased. */

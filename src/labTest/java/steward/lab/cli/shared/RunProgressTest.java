@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import steward.cli.streams.Streams;
 
@@ -22,7 +23,8 @@ class RunProgressTest {
         run.begin("short");
         run.end();
         run.begin("long");
-        run.reach(0.55);
+        Runnable steps = run.steps(20);
+        IntStream.range(0, 11).forEach(step -> steps.run());
         run.end();
         assertTrue(shown().contains("1 of 2: short") && shown().contains("2 of 2: long"), shown());
         assertTrue(shown().contains(" 550/1000 "), shown());

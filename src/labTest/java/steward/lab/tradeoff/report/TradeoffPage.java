@@ -2,7 +2,7 @@ package steward.lab.tradeoff.report;
 
 import java.util.List;
 import java.util.Locale;
-import steward.lab.chart.ChartFiles;
+import steward.lab.chart.PictureTag;
 import steward.lab.tradeoff.TradeoffResult;
 import steward.lab.tradeoff.TradeoffRow;
 import steward.scene.AccuracyFigures;
@@ -60,7 +60,7 @@ public final class TradeoffPage {
             out.append(number == 1 ? "\n## How to choose\n\n" : "").append(number++).append(". ").append(sentence)
                 .append('\n');
         }
-        out.append("\n## Picture\n\n").append(ChartFiles.tag(TradeoffPlot.ALL_PNG, TradeoffPlot.ALL_DARK_PNG,
+        out.append("\n## Picture\n\n").append(PictureTag.of(TradeoffPlot.ALL_PNG, TradeoffPlot.ALL_DARK_PNG,
             "Error against cost, a panel a scene")).append("\n\n").append(String.format(Locale.ROOT, MEANING,
             TextFormat.count(jvms, "JVM"), TradeoffReport.CSV, TradeoffReport.CSV));
         for (String scene : result.scenes()) {
