@@ -104,8 +104,7 @@ public final class TradeoffCommand extends ProgramCommand {
     }
 
     private TradeoffReport files(Path folder) {
-        return tables.start(folder, TradeoffReport.ALL, TradeoffReport.ALL,
-            () -> new TradeoffReport(folder, Machine.line(), today()));
+        return tables.start(folder, TradeoffReport.ALL, () -> new TradeoffReport(folder, Machine.line(), today()));
     }
 
     private static String today() {

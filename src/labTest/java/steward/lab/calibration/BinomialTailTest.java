@@ -23,11 +23,11 @@ class BinomialTailTest {
         for (int k = 0; k < n; k++) {
             double exact = new BigDecimal(sum).divide(new BigDecimal(BigInteger.TWO.pow(n)),
                 new MathContext(20)).doubleValue();
-            assertEquals(1, BinomialTail.atMost(k, n, 0.5) / exact, 1e-11, "k = " + k);
+            assertEquals(1, BinomialInterval.atMost(k, n, 0.5) / exact, 1e-11, "k = " + k);
             coefficient = coefficient.multiply(BigInteger.valueOf(n - k)).divide(BigInteger.valueOf(k + 1));
             sum = sum.add(coefficient);
         }
-        assertEquals(1, BinomialTail.atMost(n, n, 0.5), 1e-11);
+        assertEquals(1, BinomialInterval.atMost(n, n, 0.5), 1e-11);
     }
 
     /** No error in n states shows a share s at 99% from 0.99 &lt;= 1 - s^n on: n = log 0.01 / log s, rounded up. */
@@ -44,17 +44,17 @@ class BinomialTailTest {
     void theBoundIsWhereTheProbabilityIsOnePercent(int states, double share) {
         int allowed = BinomialTail.allowed(states, share);
         assertTrue(allowed < states * (1 - share));
-        assertTrue(BinomialTail.atMost(allowed, states, 1 - share) <= 0.01);
-        assertTrue(BinomialTail.atMost(allowed + 1, states, 1 - share) > 0.01);
+        assertTrue(BinomialInterval.atMost(allowed, states, 1 - share) <= 0.01);
+        assertTrue(BinomialInterval.atMost(allowed + 1, states, 1 - share) > 0.01);
     }
 
     /** 1 of 100 may exceed: 10 of 1000 are no surprise, 25 are one (P = 0.00003), no error at all never is. */
     @Test
     void onlyWhatChanceDoesNotExplainRefutesAShare() {
-        assertFalse(BinomialTail.refuted(0, 1000, 0.99, 0.999));
-        assertFalse(BinomialTail.refuted(10, 1000, 0.99, 0.999));
-        assertFalse(BinomialTail.refuted(20, 1000, 0.99, 0.999));
-        assertTrue(BinomialTail.refuted(25, 1000, 0.99, 0.999));
-        assertTrue(BinomialTail.refuted(1000, 1000, 0.99, 0.999));
+        assertFalse(BinomialInterval.refuted(0, 1000, 0.99, 0.999));
+        assertFalse(BinomialInterval.refuted(10, 1000, 0.99, 0.999));
+        assertFalse(BinomialInterval.refuted(20, 1000, 0.99, 0.999));
+        assertTrue(BinomialInterval.refuted(25, 1000, 0.99, 0.999));
+        assertTrue(BinomialInterval.refuted(1000, 1000, 0.99, 0.999));
     }
 }

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.parallel.ExecutionMode;
 import steward.cli.shared.Games;
 import steward.game.GameSetup;
 import steward.game.Pilot;
-import steward.lab.calibration.BinomialTail;
+import steward.lab.calibration.BinomialInterval;
 import steward.lab.calibration.Calibration;
 import steward.lab.calibration.SeededPlay;
 import steward.lab.oracle.TurnTruth;
@@ -58,7 +58,7 @@ class DemandsTest {
         }
 
         boolean isRefuted() {
-            return BinomialTail.refuted(larger, states, demand.share(), LEVEL);
+            return BinomialInterval.refuted(larger, states, demand.share(), LEVEL);
         }
 
         String line() {

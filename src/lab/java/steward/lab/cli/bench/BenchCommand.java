@@ -111,7 +111,7 @@ public final class BenchCommand extends ProgramCommand {
             brief.that(Files.isDirectory(OutputFiles.path(tools)), "--tools: found no folder '" + tools + "'");
         }
         Path folder = out == null ? null : OutputFiles.path(out);
-        try (BenchFiles files = out == null ? null : tables.start(folder, BenchFiles.ALL, List.of(BenchFiles.PAGE),
+        try (BenchFiles files = out == null ? null : tables.start(folder, BenchFiles.ALL,
                     () -> new BenchFiles(folder, Machine.line(), LocalDate.now(ZoneOffset.UTC).toString()));
                 Interruption interruption = new Interruption(streams, () -> stopped(out == null
                     ? "what was measured is above" : "the rows so far are in " + folder))) {

@@ -38,17 +38,16 @@ public final class TableFolder {
     /**
      * Makes the folder, unless it is there, and starts the files.
      *
-     * @param names of all files that the command will have written in the end
-     * @param stale those of them that are deleted now, because they are written late
+     * @param names of all files that the command will have written in the end; older ones are deleted now
      * @throws InputException if one exists and is to be kept, or the folder cannot be written into
      */
-    public <T> T start(Path folder, List<String> names, List<String> stale, Start<T> files) {
+    public <T> T start(Path folder, List<String> names, Start<T> files) {
         OutputFiles.prepareFolder(folder);
         for (String name : names) {
             OutputFiles.check(folder.resolve(name), overwrite);
         }
         try {
-            for (String name : stale) {
+            for (String name : names) {
                 Files.deleteIfExists(folder.resolve(name));
             }
             return files.start();

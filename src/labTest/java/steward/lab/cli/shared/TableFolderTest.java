@@ -3,7 +3,6 @@ package steward.lab.cli.shared;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -16,7 +15,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import steward.files.InputException;
 
-/** Tables that exist are kept unless told otherwise; a page of an older run goes when a new one begins. */
+/** Tables that exist are kept unless told otherwise; files of an older run go when a new one begins. */
 class TableFolderTest {
 
     @TempDir
@@ -35,7 +34,7 @@ class TableFolderTest {
     }
 
     private String start(TableFolder tables) {
-        return tables.start(folder, List.of("table.csv", "page.md"), List.of("page.md"), () -> "started");
+        return tables.start(folder, List.of("table.csv", "page.md"), () -> "started");
     }
 
     @Test
@@ -48,18 +47,18 @@ class TableFolderTest {
     }
 
     @Test
-    void overwritingDeletesWhatIsWrittenLate() throws IOException {
+    void overwritingDeletesOlderFiles() throws IOException {
         Files.writeString(folder.resolve("table.csv"), "old");
         Files.writeString(folder.resolve("page.md"), "old");
         assertEquals("started", start(tables("--overwrite")));
-        assertTrue(Files.exists(folder.resolve("table.csv")));
+        assertFalse(Files.exists(folder.resolve("table.csv")));
         assertFalse(Files.exists(folder.resolve("page.md")));
     }
 
     @Test
     void aFolderThatTakesNoFilesIsNamed() {
         assertEquals(folder + ": cannot be written into: full", assertThrows(InputException.class,
-            () -> tables().start(folder, List.of(), List.of(), () -> {
+            () -> tables().start(folder, List.of(), () -> {
                 throw new IOException("full");
             })).getMessage());
     }

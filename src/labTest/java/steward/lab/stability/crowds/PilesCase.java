@@ -40,12 +40,15 @@ public final class PilesCase extends StabilityCase {
     private static final double[] RESTITUTIONS = {0.5, 0.9, 0};
     private static final ImpactLaw SOFT = ImpactLaw.PHYSICS.withRestitution(ImpactLaw.Restitution.MINIMUM);
 
-    private int most;
-    private int limited;
-    private int different;
-    private double growth;
-    private double overlap;
-    private OracleTurns truth;
+    /** The worst values of all piles. */
+    private static final class Tally {
+        private final OracleTurns truth = new OracleTurns(MOST_OFF);
+        private int most;
+        private int limited;
+        private int different;
+        private double growth;
+        private double overlap;
+    }
 
     public PilesCase() {
         super("piles",
@@ -61,27 +64,23 @@ public final class PilesCase extends StabilityCase {
     @Override
     public Finding run(Rung rung, RunLength size) {
         SplitMix64 random = new SplitMix64(SEED);
-        most = 0;
-        limited = 0;
-        different = 0;
-        growth = 0;
-        overlap = 0;
-        truth = new OracleTurns(MOST_OFF);
+        Tally tally = new Tally();
         int piles = size.pick(2, 24, 600);
         for (int n = 0; n < piles; n++) {
             for (double opening : OPENINGS) {
-                pile(rung, random, n % 4 == 0 && n > 0 ? 60 : 3 + random.nextInt(size.pick(20, 58, 58)), opening,
+                pile(tally, rung, random, n % 4 == 0 && n > 0 ? 60 : 3 + random.nextInt(size.pick(20, 58, 58)), opening,
                     opening == 360 ? RESTITUTIONS[n % RESTITUTIONS.length] : 0);
             }
         }
-        boolean met = most > 0 && most <= MOST_IMPACTS && limited == 0 && different == 0 && growth <= 1e-15
-            && overlap <= MOST_OVERLAP && (truth.areTrue() || !rung.isOurs());
+        boolean met = tally.most > 0 && tally.most <= MOST_IMPACTS && tally.limited == 0 && tally.different == 0
+            && tally.growth <= 1e-15 && tally.overlap <= MOST_OVERLAP && (tally.truth.areTrue() || !rung.isOurs());
         return Finding.of(rung.isEvent(), met, String.format(Locale.ROOT, "%d piles: at most %d impacts in a turn, %d "
             + "limited, energy grew by %.1e, overlap %.1e of a radius, %d turns differ as a crowd; %s",
-            piles * OPENINGS.length, most, limited, growth, overlap, different, truth.text()));
+            piles * OPENINGS.length, tally.most, tally.limited, tally.growth, tally.overlap, tally.different,
+            tally.truth.text()));
     }
 
-    private void pile(Rung rung, SplitMix64 random, int count, double opening, double restitution) {
+    private static void pile(Tally tally, Rung rung, SplitMix64 random, int count, double opening, double restitution) {
         Wall[] walls = walls(opening, restitution);
         Bodies bodies = bodies(random, count, walls, restitution);
         Bodies copy = new Bodies(count);
@@ -101,19 +100,19 @@ public final class PilesCase extends StabilityCase {
             TurnLog log = new TurnLog();
             alone.turn(bodies, log);
             if (turn == 1 && rung.isEvent() && count <= COMPARED && opening > 0 && opening != RIGHT) {
-                truth.add(copy, bodies, parts);
+                tally.truth.add(copy, bodies, parts);
             }
             TurnLog other = new TurnLog();
             crowd.turn(copy, other);
-            most = restitution == 0 ? Math.max(most, log.impacts()) : most;
-            limited += log.limited() ? 1 : 0;
-            growth = Math.max(growth, energy(bodies) / before - 1);
-            overlap = Math.max(overlap, overlap(bodies, walls));
+            tally.most = restitution == 0 ? Math.max(tally.most, log.impacts()) : tally.most;
+            tally.limited += log.limited() ? 1 : 0;
+            tally.growth = Math.max(tally.growth, energy(bodies) / before - 1);
+            tally.overlap = Math.max(tally.overlap, overlap(bodies, walls));
             boolean same = log.impacts() == other.impacts();
             for (int k = 0; k < count; k++) {
                 same &= Probe.same(bodies, k, copy, k);
             }
-            different += same ? 0 : 1;
+            tally.different += same ? 0 : 1;
         }
     }
 
