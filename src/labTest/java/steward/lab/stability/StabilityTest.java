@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.lang.reflect.Modifier;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -154,6 +156,13 @@ class StabilityTest {
         assertEquals(all.size(), new TreeSet<>(all.stream().map(StabilityCase::name).toList()).size());
         assertTrue(all.stream().map(StabilityCase::name).toList().containsAll(LONG));
         assertTrue(all.stream().noneMatch(each -> each.demand().isBlank()));
+    }
+
+    /** Rows of a case are played side by side: what one sums up must not be in a field of the case. */
+    @Test
+    void aCaseKeepsNothing() {
+        assertTrue(StabilityCases.all().stream().flatMap(each -> Arrays.stream(each.getClass().getDeclaredFields()))
+            .allMatch(field -> Modifier.isFinal(field.getModifiers())));
     }
 
     @Test
