@@ -103,7 +103,7 @@ public final class StabilityPage {
             %,d are met and %,d %s not, in a run of %s length.
 
             Written by `./gradlew campaigns --tests '*StabilityTableTest'` of Steward %s on %s: %s.
-            All columns stand in [the table](stability.csv).
+            Date and version of each row stand in [the table](stability.csv).
             """, TextFormat.count(verdicts(Finding.Verdict.HOLDS) + failed, "demand"),
             verdicts(Finding.Verdict.HOLDS), failed, failed == 1 ? "is" : "are", length(), run.version(), run.date(),
             run.machine()));
