@@ -9,11 +9,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.StringJoiner;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.LongFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import steward.contest.WorkerThreads;
 import steward.game.GameSetup;
 import steward.lab.oracle.TurnTruth;
 import steward.lab.timing.RungJob;
@@ -109,21 +109,10 @@ public final class Calibration {
      * @throws InterruptedException if the calling thread is interrupted; results so far are kept
      */
     public void run(int threads, Runnable done) throws InterruptedException {
-        AtomicReference<Throwable> problem = new AtomicReference<>();
-        Thread[] workers = new Thread[threads];
-        for (int k = 0; k < threads; k++) {
-            workers[k] = new Thread(() -> work(done), "calibration-" + k);
-            workers[k].setUncaughtExceptionHandler((thread, thrown) -> problem.compareAndSet(null, thrown));
-            workers[k].setDaemon(true);
-            workers[k].start();
-        }
-        for (Thread worker : workers) {
-            worker.join();
-        }
-        if (problem.get() != null) {
-            throw new IllegalStateException("calibration of " + setup.scene().name() + ": " + problem.get(),
-                problem.get());
-        }
+        WorkerThreads.run("calibration of " + setup.scene().name(), threads, k -> () -> {
+            work(done);
+            return null;
+        });
     }
 
     private void work(Runnable done) {

@@ -143,7 +143,7 @@ class CalibrationTest {
         Calibration calibration = new Calibration(duel(), seed -> {
             throw new IllegalArgumentException("no such play");
         }, 10);
-        String message = assertThrows(IllegalStateException.class, () -> calibration.run(2, () -> { })).getMessage();
+        String message = assertThrows(IllegalArgumentException.class, () -> calibration.run(2, () -> { })).getMessage();
         assertTrue(message.contains("no such play"), message);
     }
 
