@@ -6,12 +6,22 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorCompletionService;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.ThreadFactory;
 import java.util.function.IntFunction;
 
 /** Daemon threads, each of which repeats a task until no work is left. */
 public final class WorkerThreads {
 
     private WorkerThreads() { }
+
+    /** Makes daemon threads of one name. */
+    public static ThreadFactory daemons(String name) {
+        return task -> {
+            Thread thread = new Thread(task, name);
+            thread.setDaemon(true);
+            return thread;
+        };
+    }
 
     /**
      * Works until all threads are done. As soon as one fails the others are interrupted.
@@ -20,11 +30,7 @@ public final class WorkerThreads {
      * @throws RuntimeException what a thread failed with
      */
     public static void run(String name, int threads, IntFunction<Callable<Void>> work) throws InterruptedException {
-        ExecutorService pool = Executors.newFixedThreadPool(threads, task -> {
-            Thread thread = new Thread(task, name);
-            thread.setDaemon(true);
-            return thread;
-        });
+        ExecutorService pool = Executors.newFixedThreadPool(threads, daemons(name));
         try {
             CompletionService<Void> working = new ExecutorCompletionService<>(pool);
             for (int k = 0; k < threads; k++) {

@@ -7,6 +7,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import steward.contest.WorkerThreads;
 
 /**
  * Play on other machines: games of a run are sent there and their results taken. Games that belong together share a
@@ -21,11 +22,7 @@ record RemotePlay(LeagueRun run, RemoteMachines remote) {
      * @throws Exception what a game failed with
      */
     Void play() throws Exception {
-        ExecutorService threads = Executors.newCachedThreadPool(work -> {
-            Thread thread = new Thread(work, "league");
-            thread.setDaemon(true);
-            return thread;
-        });
+        ExecutorService threads = Executors.newCachedThreadPool(WorkerThreads.daemons("league"));
         Queue<Future<?>> games = new ArrayDeque<>();
         try {
             while (!run.isOver()) {

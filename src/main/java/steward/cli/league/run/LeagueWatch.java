@@ -17,6 +17,7 @@ import steward.cli.options.WatchOptions;
 import steward.cli.shared.Games;
 import steward.cli.shared.Pages;
 import steward.cli.streams.Streams;
+import steward.contest.WorkerThreads;
 import steward.files.InputException;
 import steward.league.LeagueFolder;
 import steward.league.LeagueSettings;
@@ -49,11 +50,8 @@ final class LeagueWatch implements AutoCloseable {
     private final LeagueProgress progress;
     private final StatusServer server;
     private final ErrorLines errors;
-    private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(work -> {
-        Thread thread = new Thread(work, "league page");
-        thread.setDaemon(true);
-        return thread;
-    });
+    private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(
+        WorkerThreads.daemons("league page"));
     private RatingPath path;
     private long pathDue = System.nanoTime();
     private long shown = -1;

@@ -7,6 +7,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
+import steward.contest.WorkerThreads;
 
 /** Terminal output of a run: messages, and below them a block of lines that is rewritten in place. */
 final class LiveTable implements AutoCloseable {
@@ -17,11 +18,8 @@ final class LiveTable implements AutoCloseable {
 
     private final PrintStream terminal;
     private Supplier<List<String>> content;
-    private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(work -> {
-        Thread thread = new Thread(work, "live table");
-        thread.setDaemon(true);
-        return thread;
-    });
+    private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(
+        WorkerThreads.daemons("live table"));
     private int lines;
     private boolean closed;
 
