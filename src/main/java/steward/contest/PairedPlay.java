@@ -265,7 +265,7 @@ public final class PairedPlay {
     }
 
     /** Number of games of a contest on a seed. */
-    static int games(Contest contest) {
+    public static int games(Contest contest) {
         return contest.isAlone() ? contest.entrants().size() : contest.players();
     }
 

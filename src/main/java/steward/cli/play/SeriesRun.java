@@ -2,7 +2,6 @@ package steward.cli.play;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import steward.cli.options.SeedFileOption;
 import steward.cli.shared.ExitStatus;
@@ -49,7 +48,6 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
      *               {@code null}. With it, the table of a program that became another one is not printed
      * @param watch  over the programs: when one becomes another, the series ends
      */
-    @SuppressWarnings("try")                           // only closed, never used
     int play(int threads, boolean overwrite, Consumer<Series.Played> keeper, ProgramWatch watch)
             throws InterruptedException {
         series.prepare(overwrite);
@@ -60,15 +58,13 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
         if (why && !series.contest().setup().isGuest()) {
             play.followLeads();                        // nobody knows the standing of a guest's game before its end
         }
-        AtomicBoolean told = new AtomicBoolean();
         if (report == Verbosity.FULL && series.games() != series.seeds()) {
             streams.err().println(TextFormat.count(series.seeds(), "seed") + ", "
                 + TextFormat.count(series.games(), "game"));
         }
         ProgressLine progress = report == Verbosity.LINE ? null
             : ProgressLine.watched(streams, "games", series.games());
-        try (Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
-                : interrupted(play, progress))) {
+        try (Interruption interruption = new Interruption(streams, () -> interrupted(play, progress))) {
             play.play(threads, game -> {
                 if (keeper != null) {
                     keeper.accept(game);
@@ -77,7 +73,7 @@ record SeriesRun(Streams streams, Series series, Verbosity report, boolean stric
                     progress.step(standing(play.standings()));
                 }
             });
-            if (told.getAndSet(true)) {
+            if (!interruption.over()) {
                 return ExitStatus.FAILED;              // the process is about to end, with the status of its signal
             }
         } finally {

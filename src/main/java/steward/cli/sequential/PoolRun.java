@@ -6,14 +6,12 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import steward.cli.play.FailureReport;
 import steward.cli.play.StoredSeries;
 import steward.cli.shared.ExitStatus;
 import steward.cli.shared.Verbosity;
-import steward.cli.streams.Interruption;
 import steward.cli.streams.Json;
 import steward.cli.streams.Streams;
 import steward.contest.Contest;
@@ -119,21 +117,12 @@ final class PoolRun implements PairedPlay.Tables {
     }
 
     /** Plays. @param watch over the programs: when one becomes another, the test ends */
-    @SuppressWarnings("try")                           // only closed, never used
     int play(int threads, ProgramWatch watch) throws InterruptedException {
         if (report == Verbosity.FULL) {
             streams.err().println(text.heading(contests.size()));
         }
-        AtomicBoolean over = new AtomicBoolean();
-        PairedPlay play = new PairedPlay(this, Hiccups.REPLAY, watch, this::take);
-        try (Interruption interruption = new Interruption(streams, () -> over.getAndSet(true) ? null
-                : interrupted(play))) {
-            play.play(threads);
-            if (over.getAndSet(true)) {
-                return ExitStatus.FAILED;              // the process is about to end, with the status of its signal
-            }
-        }
-        return end(watch.changed());
+        return SprtRun.isPlayed(new PairedPlay(this, Hiccups.REPLAY, watch, this::take), threads, streams, store,
+            this::tell) ? end(watch.changed()) : ExitStatus.FAILED;
     }
 
     private int opponent(long seed) {
@@ -194,7 +183,7 @@ final class PoolRun implements PairedPlay.Tables {
         return ExitStatus.FAILED;
     }
 
-    private void tell() {
+    private synchronized void tell() {
         List<Contest> all = contests.stream().flatMap(List::stream).toList();
         switch (report) {
             case JSON -> Json.print(streams, text.fields(pool).with("failures",
@@ -209,15 +198,5 @@ final class PoolRun implements PairedPlay.Tables {
 
     private List<FailureKind> kinds(Contest contest) {
         return failures.get(contest).kinds();
-    }
-
-    private String interrupted(PairedPlay play) {
-        play.breakOff();
-        synchronized (this) {
-            tell();
-        }
-        streams.out().flush();
-        return store == null ? "the games are not kept; with --into they would be"
-            : "what was over is stored, and the same command goes on";
     }
 }

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicBoolean;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -165,12 +164,10 @@ public final class SeedsCommand extends ProgramCommand {
     }
 
     /** Plays until there are enough; {@code null} if it was interrupted. */
-    @SuppressWarnings("try")                           // only closed, never used
     private SeedChoice play(Contest contest, long first) throws InterruptedException {
         SeedChoice choice = new SeedChoice(contest, count);
         ProgramWatch watch = StoredSeries.watch(contest, streams);
         FailureCounts failures = new FailureCounts(contest);
-        AtomicBoolean over = new AtomicBoolean();
         ProgressLine progress = ProgressLine.watched(streams, "seeds", from);
         int[] left = {from};
         PairedPlay play = new PairedPlay(contest, Seeds.from(first), Hiccups.REPLAY, (any, rotation) -> null,
@@ -181,17 +178,16 @@ public final class SeedsCommand extends ProgramCommand {
                 return isMore && --left[0] > 0 && streaks.failing() == null;
             });
         try (Interruption interruption = new Interruption(streams, () -> {
-                over.set(true);
                 play.breakOff();
                 progress.close();
                 return "nothing is written";
             })) {
             play.play(threads.count(streams));
+            if (!interruption.over()) {
+                return null;
+            }
         } finally {
             progress.close();
-        }
-        if (over.get()) {
-            return null;
         }
         FailureReport.print(streams.err(), streams.errColour(), contest, failures.kinds());
         if (watch.changed() != null) {

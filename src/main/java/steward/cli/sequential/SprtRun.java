@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import steward.cli.options.SeedFileOption;
 import steward.cli.play.FailureReport;
@@ -117,26 +117,38 @@ public final class SprtRun {
      * @param watch over the programs: when one becomes another, the test ends
      * @return the exit status
      */
-    @SuppressWarnings("try")                           // only closed, never used
     public int play(Seeds seeds, int threads, ProgramWatch watch) throws InterruptedException {
         if (report == Verbosity.FULL) {
             streams.err().println(text.heading());
         }
-        AtomicBoolean over = new AtomicBoolean();
         PairedPlay play = new PairedPlay(contest, seeds, Hiccups.REPLAY,
             store == null ? (seed, rotation) -> null : store::outcome, store == null ? game -> { } : store::add,
             failures, watch, this::take);
         if (!seeds.isListed() && !takeStored(seeds.at(0))) {
             return end(null, seeds);
         }
-        try (Interruption interruption = new Interruption(streams, () -> over.getAndSet(true) ? null
-                : interrupted(play))) {
+        return isPlayed(play, threads, streams, store, this::tell) ? end(watch.changed(), seeds) : ExitStatus.FAILED;
+    }
+
+    /**
+     * Plays until a test is over.
+     *
+     * @param store where games are stored, or {@code null}
+     * @param tell  tells the standing after an interruption
+     * @return false after an interruption: the process is about to end, with the status of its signal
+     */
+    static boolean isPlayed(PairedPlay play, int threads, Streams streams, StoredSeries store, Runnable tell)
+            throws InterruptedException {
+        try (Interruption interruption = new Interruption(streams, () -> {
+            play.breakOff();
+            tell.run();
+            streams.out().flush();
+            return store == null ? "the games are not kept; with --into they would be"
+                : "what was over is stored, and the same command goes on";
+        })) {
             play.play(threads);
-            if (over.getAndSet(true)) {
-                return ExitStatus.FAILED;              // the process is about to end, with the status of its signal
-            }
+            return interruption.over();
         }
-        return end(watch.changed(), seeds);
     }
 
     /**
@@ -162,11 +174,8 @@ public final class SprtRun {
             if (!anyway && chosen.has(seed)) {
                 continue;
             }
-            PairedPlay.Outcome[] games =
-                new PairedPlay.Outcome[contest.isAlone() ? contest.entrants().size() : contest.players()];
-            for (int rotation = 0; rotation < games.length; rotation++) {
-                games[rotation] = store.outcome(seed, rotation);
-            }
+            PairedPlay.Outcome[] games = IntStream.range(0, PairedPlay.games(contest))
+                .mapToObj(rotation -> store.outcome(seed, rotation)).toArray(PairedPlay.Outcome[]::new);
             if (Arrays.stream(games).allMatch(Objects::nonNull) && !take(new PairedPlay.Seed(seed, games))) {
                 return false;
             }
@@ -235,7 +244,7 @@ public final class SprtRun {
         return ExitStatus.DONE;
     }
 
-    private void tell() {
+    private synchronized void tell() {
         SprtText.Unused unused = new SprtText.Unused(without, allFailed, repeats);
         switch (report) {
             case JSON -> Json.print(streams, text.fields(scores, unused).with("choosers", choosers,
@@ -250,15 +259,5 @@ public final class SprtRun {
                 FailureReport.print(streams.out(), streams.outColour(), contest, failures.kinds());
             }
         }
-    }
-
-    private String interrupted(PairedPlay play) {
-        play.breakOff();
-        synchronized (this) {
-            tell();
-        }
-        streams.out().flush();
-        return store == null ? "the games are not kept; with --into they would be"
-            : "what was over is stored, and the same command goes on";
     }
 }

@@ -1,5 +1,6 @@
 package steward.cli.streams;
 
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 
 /**
@@ -10,7 +11,7 @@ public final class Interruption implements AutoCloseable {
 
     private final EndHooks hooks;
     private final Thread hook;
-    private volatile boolean over;
+    private final AtomicBoolean over = new AtomicBoolean();
 
     /** @param kept says where the results so far are, or {@code null} to print nothing */
     public Interruption(Streams streams, String kept) {
@@ -24,7 +25,7 @@ public final class Interruption implements AutoCloseable {
     public Interruption(Streams streams, Supplier<String> kept) {
         hooks = streams.hooks();
         hook = kept == null ? null : new Thread(() -> {
-            String told = over ? null : kept.get();
+            String told = over.getAndSet(true) ? null : kept.get();
             if (told != null) {
                 streams.err().println("steward: interrupted; " + told);
             }
@@ -34,15 +35,15 @@ public final class Interruption implements AutoCloseable {
         }
     }
 
-    /** The match has its result. */
-    public void over() {
-        over = true;
+    /** The match has its result. @return false if it was interrupted before: then this process is about to end */
+    public boolean over() {
+        return !over.getAndSet(true);
     }
 
     /** Waits if it has begun to say where the results are: it needs what is closed after this. */
     @Override
     public void close() {
-        over = true;
+        over();
         if (hook == null) {
             return;
         }

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -221,7 +220,6 @@ public final class LeagueRunCommand extends ProgramCommand {
             teller, System::currentTimeMillis);
         Roster roster = open.folder().named(() -> reader.read(settings));
         LeagueProgress progress = new LeagueProgress(open.store(), limits);
-        AtomicBoolean told = new AtomicBoolean();
         Serving.Service machines = serving.start(open.folder(), season, contest, settings, teller);
         LeagueRun run;
         try (screen; machines) {
@@ -240,8 +238,8 @@ public final class LeagueRunCommand extends ProgramCommand {
             }
             try (LeagueWatch page = watch.watch() ? LeagueWatch.start(open.folder(), season, viewed, progress, watch)
                      : null;
-                 Interruption interruption = new Interruption(streams, () -> told.getAndSet(true) ? null
-                     : interrupted(run, progress, season, machines, screen))) {
+                 Interruption interruption = new Interruption(streams, () ->
+                     interrupted(run, progress, season, machines, screen))) {
                 if (page != null) {
                     page.follow(run, machines, streams, this.open);
                 }
@@ -257,9 +255,9 @@ public final class LeagueRunCommand extends ProgramCommand {
                     sayNeeded(teller, progress, run);
                 }
                 run.play();
-            }
-            if (told.getAndSet(true)) {
-                return ExitStatus.FAILED;              // the process is about to end, with the status of its signal
+                if (!interruption.over()) {
+                    return ExitStatus.FAILED;          // the process is about to end, with the status of its signal
+                }
             }
         }
         tell(run, progress, season, machines);
