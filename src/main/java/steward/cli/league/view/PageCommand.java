@@ -1,8 +1,6 @@
 package steward.cli.league.view;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -67,14 +65,7 @@ public final class PageCommand extends ProgramCommand {
                 throw new InputException(path + ": exists already, and 'league page' did not write it; expected "
                     + "another name");
             }
-            ByteArrayOutputStream html = new ByteArrayOutputStream();
-            EmbeddedReplays replays = write(opened, reference.table(opened.games().results(), opened.entries()), path,
-                html);
-            try {
-                OutputFiles.replace(path, html.toByteArray());
-            } catch (IOException problem) {
-                throw new FailedException(path + ": cannot be written: " + OutputFiles.reason(path, problem));
-            }
+            EmbeddedReplays replays = write(opened, reference.table(opened.games().results(), opened.entries()), path);
             streams.out().println("Page: " + path + ", " + TextFormat.count(replays.count(), "replay") + " in it"
                 + (replays.linked().isEmpty() ? "" : ", " + replays.linked().size() + " in "
                 + PageReplays.folder(path)));
@@ -87,7 +78,7 @@ public final class PageCommand extends ProgramCommand {
     }
 
     /** Writes the page, and beside its file pages of games that it does not hold. */
-    private static EmbeddedReplays write(LeagueOpening.Opened opened, LeagueTable table, Path file, OutputStream html) {
+    private static EmbeddedReplays write(LeagueOpening.Opened opened, LeagueTable table, Path file) {
         List<StoredGame> games = games(opened);
         Path folder = opened.folder().replays();
         Map<Integer, String> names = opened.names();
@@ -96,11 +87,11 @@ public final class PageCommand extends ProgramCommand {
                 Pages.title(game.seats().stream().map(seat -> names.getOrDefault(seat.version(), "?")).toList()))
                 .beside(file, Games.types());
             RatingPath path = opened.games().path(opened.entries(), table.reference());
-            html.write(LeaguePage.of(new LeagueView(opened.season(), table, path, games, Double.NaN, opened.workers(),
-                WhyCommand.ofPage(opened, games)), folder, replays, title(opened.folder().path())));
+            OutputFiles.replace(file, LeaguePage.of(new LeagueView(opened.season(), table, path, games, Double.NaN,
+                opened.workers(), WhyCommand.ofPage(opened, games)), folder, replays, title(opened.folder().path())));
             return replays;
         } catch (IOException problem) {
-            throw new FailedException("the page cannot be written: " + problem.getMessage());
+            throw new FailedException(file + ": cannot be written: " + OutputFiles.reason(file, problem));
         }
     }
 
