@@ -127,7 +127,7 @@ public final class SeriesPlay {
 
     /** Plays a game; {@code null} if there is none any more, or it does not count. */
     private Series.Played playNext() throws InterruptedException {
-        Game game = awaitPrograms() ? begin() : null;
+        Game game = watch.await(this::isOver) ? begin() : null;
         while (game != null) {
             MatchResult result = null;
             String problem = game.refused();
@@ -170,10 +170,6 @@ public final class SeriesPlay {
             }
         }
         return null;
-    }
-
-    private boolean awaitPrograms() throws InterruptedException {
-        return watch.await(this::isOver);
     }
 
     private synchronized boolean isOver() {
