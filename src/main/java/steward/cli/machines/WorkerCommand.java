@@ -104,7 +104,7 @@ public final class WorkerCommand extends ProgramCommand {
         log = streams.logging(json);
         check.range("--games", games, 1, Integer.MAX_VALUE);
         InetSocketAddress found = ServeOptions.address(check, "--join", address);
-        long nanos = LeagueRunCommand.nanos(time);
+        long nanos = LeagueRunCommand.nanos("--for", time);
         long idleNanos = LeagueRunCommand.nanos("--idle", idle);
         check.that(platform == null || Platform.isWritten(platform), "--platform: found '" + platform + "', expected "
             + Platform.FORM);

@@ -160,7 +160,7 @@ public final class LeagueRunCommand extends ProgramCommand {
         check.range("--pause-after", pauseAfter, 0, Integer.MAX_VALUE);
         check.range("--games", games, 1, Integer.MAX_VALUE);
         LeagueRun.Limits limits = new LeagueRun.Limits(threads.count(streams), games == null ? Long.MAX_VALUE : games,
-            nanos(time));
+            nanos("--for", time));
         LeagueFolder folder = league.openToWrite(streams);
         LeagueFolder.refuseRemote(folder.path());
         LeagueSettings settings = folder.read();
@@ -186,12 +186,7 @@ public final class LeagueRunCommand extends ProgramCommand {
         }
     }
 
-    /** Returns the nanoseconds of {@code --for}; {@code Long.MAX_VALUE} where it is not there. */
-    public static long nanos(String time) {
-        return nanos("--for", time);
-    }
-
-    /** Returns the nanoseconds of another option. */
+    /** Returns the nanoseconds of an option; {@code Long.MAX_VALUE} where it is not there. */
     public static long nanos(String option, String time) {
         if (time == null) {
             return Long.MAX_VALUE;
@@ -224,7 +219,7 @@ public final class LeagueRunCommand extends ProgramCommand {
         LeagueRun run;
         try (screen; machines) {
             run = new LeagueRun(open, contest, reader, roster, limits, rules, machines == null ? null
-                : machines.games(), machine(contest), teller, game -> {
+                : machines.games(), machine(contest.sandbox()), teller, game -> {
                     progress.add(game);
                     follower.accept(game);
                     if (machines != null) {
@@ -346,12 +341,7 @@ public final class LeagueRunCommand extends ProgramCommand {
         }
     }
 
-    /** Returns the machine that is noted with each game. */
-    public static String machine(Contest contest) {
-        return machine(contest.sandbox());
-    }
-
-    /** Returns the machine for a level of isolation. */
+    /** Returns the machine that is noted with each game. @param sandbox level of isolation */
     public static String machine(String sandbox) {
         return "Java " + System.getProperty("java.version") + ", " + System.getProperty("os.name") + " "
             + System.getProperty("os.arch") + ", "
