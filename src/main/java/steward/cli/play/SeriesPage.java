@@ -1,7 +1,6 @@
 package steward.cli.play;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -70,9 +69,7 @@ record SeriesPage(Path file, boolean open, boolean overwrite) {
             byte[] html = PageTemplate.of(FOLDER, Pages.title(contest.entrants().stream().map(Contest.Entrant::name)
                 .toList()), shell, SeriesJson.of(series, play, choosers, null).with("folder", series.folder())
                 .and(replays.fields(shell, linked)));
-            try (OutputStream out = OutputFiles.open(file, overwrite)) {
-                Pages.write(out, html, file);
-            }
+            Pages.write(file, html, overwrite);
             if (isSaid) {
                 streams.out().println("Page: " + file + ", " + TextFormat.count(replays.embedded().size(), "replay")
                     + " in it" + (linked.isEmpty() ? "" : ", " + linked.size() + " in " + PageReplays.folder(file)));

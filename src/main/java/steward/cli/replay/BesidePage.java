@@ -1,7 +1,6 @@
 package steward.cli.replay;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -128,9 +127,7 @@ final class BesidePage {
                 "shell", List.of(shell.before(), shell.after()),
                 "replays", Fields.each(replays, ReplayPage.Embedded::replay),
                 "details", Fields.each(replays, ReplayPage.Embedded::details)));
-            try (OutputStream out = OutputFiles.open(page, overwrite)) {
-                Pages.write(out, html, page);
-            }
+            Pages.write(page, html, overwrite);
         } catch (IOException problem) {
             throw new FailedException(page + ": cannot be written: " + problem.getMessage());
         }

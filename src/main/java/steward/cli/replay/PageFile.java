@@ -1,7 +1,6 @@
 package steward.cli.replay;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import steward.cli.shared.FailedException;
@@ -67,11 +66,7 @@ record PageFile(Path replay, byte[] html, int turns, String site) {
         if (OutputFiles.isSame(page, replay)) {
             throw new InputException("--view: found the replay itself, expected another file");
         }
-        try (OutputStream out = OutputFiles.open(page, overwrite || view == null)) {
-            Pages.write(out, html, page);
-        } catch (IOException problem) {
-            throw new FailedException(page + ": cannot be closed: " + problem.getMessage());
-        }
+        Pages.write(page, html, overwrite || view == null);
         return page;
     }
 

@@ -1,7 +1,6 @@
 package steward.cli.replay;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,7 +14,6 @@ import steward.cli.options.OptionSection;
 import steward.cli.options.ProgramCommand;
 import steward.cli.options.RefereeOption;
 import steward.cli.shared.ExitStatus;
-import steward.cli.shared.FailedException;
 import steward.cli.shared.Games;
 import steward.cli.shared.Pages;
 import steward.cli.shared.PlayerChoice;
@@ -339,19 +337,14 @@ public final class ReplayCommand extends ProgramCommand {
         try (ReplayReader replay = piped ? StandardFiles.openReplay(streams) : open(OutputFiles.path(file))) {
             if (replay.header() != null) {
                 requireBodies(replay, "--picture");
-                byte[] text = MovingPicture.of(replay, from != null ? from : 0, to != null ? to : Integer.MAX_VALUE)
-                    .getBytes(StandardCharsets.UTF_8);
-                try (OutputStream out = OutputFiles.open(svg, overwrite)) {
-                    Pages.write(out, text, svg);
-                }
+                Pages.write(svg, MovingPicture.of(replay, from != null ? from : 0,
+                    to != null ? to : Integer.MAX_VALUE).getBytes(StandardCharsets.UTF_8), overwrite);
                 say("Picture: " + svg);
             } else {
                 throw new InputException("--picture: found a replay that was cut off in its header");
             }
             streams.warn(replay.warning());
             return ExitStatus.DONE;
-        } catch (IOException problem) {
-            throw new FailedException(svg + ": cannot be closed: " + problem.getMessage());
         }
     }
 

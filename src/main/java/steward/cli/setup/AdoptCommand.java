@@ -1,7 +1,5 @@
 package steward.cli.setup;
 
-import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -75,11 +73,7 @@ public final class AdoptCommand extends ProgramCommand {
         } catch (RefereeFault fault) {
             throw new FailedException("no trial game came to its end: " + fault.getMessage());
         }
-        try (OutputStream out = OutputFiles.open(file, overwrite)) {
-            Pages.write(out, scene.json().getBytes(StandardCharsets.UTF_8), file);
-        } catch (IOException problem) {
-            throw new FailedException(file + ": cannot be closed: " + problem.getMessage());
-        }
+        Pages.write(file, scene.json().getBytes(StandardCharsets.UTF_8), overwrite);
         boolean bundled = !scene.boss().isEmpty();
         say("Written: " + file + (bundled ? ". To play in it with a bot that comes with the contest:"
             : ". To play in it:"));

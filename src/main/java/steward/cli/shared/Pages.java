@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import steward.cli.streams.Streams;
 import steward.files.InputException;
+import steward.files.OutputFiles;
 import steward.live.Browser;
 import steward.replay.page.PageExtras;
 import steward.replay.page.ReplayPage;
@@ -49,6 +50,15 @@ public final class Pages {
             return Files.readAllBytes(replay);
         } catch (IOException problem) {
             throw new UncheckedIOException(replay + ": cannot be read: " + problem.getMessage(), problem);
+        }
+    }
+
+    /** Writes a file, a new one or also one that exists. */
+    public static void write(Path file, byte[] content, boolean overwrite) {
+        try (OutputStream out = OutputFiles.open(file, overwrite)) {
+            write(out, content, file);
+        } catch (IOException problem) {
+            throw new FailedException(file + ": cannot be closed: " + problem.getMessage());
         }
     }
 
