@@ -63,11 +63,12 @@ public final class Rest {
     /** The share of a gap that is used up until the end of the turn: the rest is room for rounding. */
     private static final double USED = 0.99;
     /**
-     * Gaps below this share of the radii are closed: rounding may be as large as what is left of them, and contacts at
-     * rest part by rounding. With 2^-30 one of 10,000 contacts opened so far every few turns, and the heap was solved
-     * as one that has lost a support.
+     * Gaps below this share of the radii are closed: contacts at rest part by rounding. With 2^-30 one of 10,000
+     * opened so far every few turns, and the heap was solved as one that has lost a support.
      */
     static final double CLOSED = 0x1p-24;
+    /** A gap below this share of the radii is not used: rounding may be as large as what is left of it. */
+    static final double ROUNDED = 0x1p-30;
     /** The shortest rest of a turn that is divided by. */
     private static final double LEAST_LEFT = 0x1p-20;
     /**
@@ -426,7 +427,7 @@ public final class Rest {
     }
 
     private void add(Bodies bodies, int a, int b, double nx, double ny, double apart, double left) {
-        boolean open = left > 0 && apart > CLOSED * RestLaw.radii(bodies, a, b);
+        boolean open = left > 0 && apart > ROUNDED * RestLaw.radii(bodies, a, b);
         system.add(a, b, nx, ny, open ? USED * apart / left : 0);
     }
 

@@ -59,7 +59,7 @@ final class RestRims {
         double endX = x + system.vx[i] * left;
         double endY = y + system.vy[i] * left;
         double distance = Math.sqrt(endX * endX + endY * endY);
-        double margin = Math.min(MARGIN * room, Rest.CLOSED * bodies.radius[i] / 2);
+        double margin = Math.min(MARGIN * room, Rest.ROUNDED * bodies.radius[i] / 2);
         double off = distance - (room - margin);
         beyond = !(room > 0) ? 0 : off > margin / 2 ? 1 : off < -margin / 2 ? -1 : 0;
         normalX = distance == 0 ? 1 : endX / distance;

@@ -17,8 +17,8 @@ import steward.physics.Bodies;
  */
 
 /**
- * Solver for the least impulses of many contacts ({@link InelasticSystem}). Begins with the guess that closed
- * contacts carry, and those that approach faster than they may; such contacts that are added join the set.
+ * Solver for the least impulses of many contacts ({@link InelasticSystem}). Begins with the guess that contacts
+ * carry which are closed, or nearly so, or approach faster than they may; such contacts that are added join the set.
  */
 final class SparseActiveSet {
 
@@ -30,6 +30,8 @@ final class SparseActiveSet {
     private static final double NEAR = 1e-12;
     private static final double NEARER = 1e-3;
     private static final double NEAREST = 1e-26;
+    /** A contact that may approach by less than this share of the largest approach is guessed to carry. */
+    private static final double NEARLY = 0x1p-18;
     /** Speeds that remain in a set, as a share of the largest approach: rounding. */
     private static final double ROUNDING = 0x1p-48;
     /** Speeds that may remain as a share of the largest change of a velocity: rounding, where these cancel. */
@@ -47,6 +49,8 @@ final class SparseActiveSet {
     private int known;
     /** True if the set that there is has solved its system. */
     private boolean isFound;
+    /** The largest approach that is guessed to carry if it is allowed. */
+    private double nearly;
 
     SparseActiveSet(InelasticSystem system) {
         this.system = system;
@@ -65,9 +69,9 @@ final class SparseActiveSet {
         }
     }
 
-    /** True for contacts that are closed, or approach at the velocities that there are. */
+    /** True for contacts that are closed or nearly so, or approach at the velocities that there are. */
     private boolean isGuessed(int k) {
-        return system.allowed[k] == 0 || system.left(k) > 0;
+        return system.allowed[k] <= nearly || system.left(k) > 0;
     }
 
     /** Takes note that a contact has another normal. */
@@ -114,8 +118,9 @@ final class SparseActiveSet {
     }
 
     private boolean find(Bodies bodies, double tolerance) {
-        begin(bodies);
         double speed = largestApproach();
+        nearly = NEARLY * speed;
+        begin(bodies);
         double near = NEAR;
         double before = Double.POSITIVE_INFINITY;
         int fewest = Integer.MAX_VALUE;
@@ -151,7 +156,7 @@ final class SparseActiveSet {
 
     private double largestApproach() {
         double largest = 0;
-        for (int k = 0; k < known; k++) {
+        for (int k = 0; k < system.size; k++) {
             largest = Math.max(largest, Math.abs(system.before(k)));
         }
         return largest;

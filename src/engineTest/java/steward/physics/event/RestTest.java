@@ -345,21 +345,4 @@ class RestTest {
             }
         }
     }
-
-    /** A gap of 3e-7 is as large as what rounding opens at rest in thousands of turns, and stays as it is. */
-    @ParameterizedTest
-    @EnumSource
-    void aContactThatRoundingHasOpenedStaysClosed(Arithmetic arithmetic) {
-        Forces forces = new Forces(0, 0, 0, -1);
-        for (Advance advance : Scenes.both(Scenes.parts(Scenes.WITH_RESTITUTION, arithmetic, floor(0.5))
-            .withForces(forces))) {
-            Bodies bodies = column(2, 0, 0.5);
-            bodies.y[1] += 3e-7;
-            for (int turn = 1; turn <= 5; turn++) {
-                Scenes.accelerate(forces, bodies);
-                Scenes.turn(advance, bodies);
-            }
-            assertEquals(20 + 3e-7, bodies.y[1] - bodies.y[0], 1e-9);
-        }
-    }
 }

@@ -22,6 +22,8 @@ final class OracleHeap {
     private static final BigDecimal NEAR = Decimals.of(1.0 / 2048);
     /** Gaps below this share of the radii are closed. */
     private static final BigDecimal CLOSED = Decimals.of(0x1p-24);
+    /** A gap below this share of the radii is not used. */
+    private static final BigDecimal ROUNDED = Decimals.of(0x1p-30);
     /** Share of a gap that is used until the end of the turn. */
     private static final BigDecimal USED = new BigDecimal("0.99");
     /** Share of the room by which a path ends inside a rim, if a closed gap is not less. */
@@ -161,7 +163,7 @@ final class OracleHeap {
     private Condition contact(int a, int b, BigDecimal turns) {
         BigDecimal[] n = rest.normal(bodies, a, b);
         BigDecimal gap = gap(a, b);
-        boolean open = turns.signum() > 0 && gap.compareTo(CLOSED.multiply(radii(a, b))) > 0;
+        boolean open = turns.signum() > 0 && gap.compareTo(ROUNDED.multiply(radii(a, b))) > 0;
         return new Condition(a, b, n[0], n[1], open ? Decimals.divide(USED.multiply(gap), turns)
             : parting == null ? BigDecimal.ZERO : parting);
     }
@@ -303,7 +305,7 @@ final class OracleHeap {
         BigDecimal x = body.x.subtract(Decimals.of(arena.x()));
         BigDecimal y = body.y.subtract(Decimals.of(arena.y()));
         BigDecimal room = Decimals.of(arena.radius()).subtract(body.radius);
-        BigDecimal margin = room.multiply(INSIDE).min(body.radius.multiply(CLOSED).multiply(HALF));
+        BigDecimal margin = room.multiply(INSIDE).min(body.radius.multiply(ROUNDED).multiply(HALF));
         BigDecimal endX = x.add(nearest.x[i].multiply(left));
         BigDecimal endY = y.add(nearest.y[i].multiply(left));
         BigDecimal length = Decimals.length(endX, endY);
