@@ -63,8 +63,8 @@ public final class Rest {
     /** The share of a gap that is used up until the end of the turn: the rest is room for rounding. */
     private static final double USED = 0.99;
     /**
-     * Gaps below this share of the radii are closed: contacts at rest part by rounding. With 2^-30 one of 10,000
-     * opened so far every few turns, and the heap was solved as one that has lost a support.
+     * Gaps below this share of the radii are closed. Contacts at rest part by rounding: with 2^-30 one of 10,000 opened
+     * every few turns, and the heap was solved as one that has lost a support.
      */
     static final double CLOSED = 0x1p-24;
     /** A gap below this share of the radii is not used: rounding may be as large as what is left of it. */
@@ -143,9 +143,7 @@ public final class Rest {
             Arrays.fill(place, -1);
         }
         squeezed = false;
-        for (int i = 0; i < size; i++) {
-            rested[i] = false;
-        }
+        Arrays.fill(rested, 0, size, false);
     }
 
     /**
