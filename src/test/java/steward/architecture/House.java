@@ -126,7 +126,7 @@ public final class House {
 
     public static void main(String[] arguments) throws IOException {
         Files.writeString(TOUR, withMap(Files.readString(TOUR)));
-        List.of("engine", "main", "lab").forEach(part -> System.out.println(size(part)));
+        List.of("engine", "main", "lab", "engineTest", "test", "labTest").forEach(part -> System.out.println(size(part)));
     }
 
     /**
@@ -171,7 +171,7 @@ public final class House {
             Collectors.groupingBy(file -> file.replaceFirst("(src/\\w+/java/steward/?)?(.*)/.*", "$2"), TreeMap::new,
                 Collectors.counting()));
         Map.Entry<String, Long> fullest = Collections.max(rooms.entrySet(), Map.Entry.comparingByValue());
-        return String.format(Locale.ROOT, "%-6s  %6d lines  %4d files  %3d rooms  mean %.1f classes  fullest %d (%s)",
+        return String.format(Locale.ROOT, "%-10s  %6d lines  %4d files  %3d rooms  mean %.1f classes  fullest %d (%s)",
             part, files.values().stream().mapToLong(text -> text.lines().count()).sum(), files.size(), rooms.size(),
             rooms.values().stream().mapToLong(count -> count).average().orElseThrow(), fullest.getValue(),
             fullest.getKey());
