@@ -126,7 +126,8 @@ public final class House {
 
     public static void main(String[] arguments) throws IOException {
         Files.writeString(TOUR, withMap(Files.readString(TOUR)));
-        List.of("engine", "main", "lab", "engineTest", "test", "labTest").forEach(part -> System.out.println(size(part)));
+        List.of("engine", "main", "lab", "engineTest", "test", "labTest")
+            .forEach(part -> System.out.println(size(part)));
     }
 
     /**
