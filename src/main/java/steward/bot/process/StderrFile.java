@@ -43,7 +43,6 @@ final class StderrFile {
     private long position;
     private long lost;
     private byte[] buffer;
-    private boolean unlinked;
 
     private StderrFile(String number, Path path, RandomAccessFile file) {
         this.number = number;
@@ -87,14 +86,10 @@ final class StderrFile {
         return path.toFile();
     }
 
-    /** Removes the name; the file itself is deleted with its last user. */
+    /** Removes the name, also one that a start has made anew; the file itself is deleted with its last user. */
     void unlink() {
-        if (unlinked) {
-            return;
-        }
         try {
             Files.deleteIfExists(path);
-            unlinked = true;
         } catch (IOException e) {
             // The system does not delete open files: the attempt at the end will delete it.
             return;

@@ -1,6 +1,7 @@
 package steward.bot.process;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -39,6 +40,16 @@ class BotStderrTest {
                 assertEquals(turn % 3 == 0 ? null : "note " + turn + "\n", answer.stderr());
             }
         }
+    }
+
+    /** A bot may be ended by another thread while it starts; the start then makes its file anew. */
+    @Test
+    void aFileThatAStartMakesAfterTheEndIsRemovedToo() throws IOException {
+        StderrFile file = StderrFile.create();
+        file.close();
+        Files.createFile(file.file().toPath());
+        file.unlink();
+        assertFalse(file.file().exists());
     }
 
     @Test
