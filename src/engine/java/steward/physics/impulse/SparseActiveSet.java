@@ -49,7 +49,7 @@ final class SparseActiveSet {
     private int known;
     /** True if the set that there is has solved its system. */
     private boolean isFound;
-    /** The largest approach that is guessed to carry if it is allowed. */
+    /** Contacts that may keep an approach up to this speed are guessed to carry. */
     private double nearly;
 
     SparseActiveSet(InelasticSystem system) {
