@@ -38,9 +38,11 @@ class StabilityTableTest {
     private static final Map<String, StabilityRow> SEEN = new ConcurrentHashMap<>();
 
     static Stream<Arguments> rows() {
-        return StabilityCases.all().stream().flatMap(each -> Rung.all().stream()
+        List<Arguments> rows = StabilityCases.all().stream().flatMap(each -> Rung.all().stream()
             .map(rung -> Arguments.of(each.name() + ", " + rung.name(), each, rung)))
-            .filter(row -> row.get()[0].toString().matches(ROWS));
+            .filter(row -> row.get()[0].toString().matches(ROWS)).toList();
+        assertFalse(rows.isEmpty(), "steward.rows: no row is named as '" + ROWS + "', expected one as 'piles, double'");
+        return rows.stream();
     }
 
     @ParameterizedTest(name = "{0}")
