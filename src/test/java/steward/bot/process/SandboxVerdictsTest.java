@@ -86,8 +86,8 @@ class SandboxVerdictsTest {
         new Case("exec /etc/passwd", FOREVER,
             "exited with status 126 before answering \\(126: a command cannot be executed\\)"),
         new Case("exec sleep 1000", SHORT, "no answer within 60 ms \\(waited [0-9]+ ms\\).*"),
-        new Case("printf part; exec sleep 1000", SHORT,
-            "no answer within 60 ms \\(waited [0-9]+ ms\\).*: 4 bytes came, without a line end.*", "part"),
+        new Case("printf part; exec sleep 1000", 10 * SHORT,        // on a busy machine the part comes late
+            "no answer within 600 ms \\(waited [0-9]+ ms\\).*: 4 bytes came, without a line end.*", "part"),
         new Case("kill -s STOP $$", SHORT, "no answer within 60 ms \\(waited [0-9]+ ms\\).*"),
         new Case("head -c 65537 /dev/zero | tr '\\0' x; exec sleep 1000", FOREVER, "line longer than 65536 bytes",
             "x".repeat(1024)),
