@@ -32,6 +32,8 @@ public final class BrokerClient implements AutoCloseable {
     private static final int SIGNS = 4;
     private static final long CALL_MS = 20_000;
     private static final int CONNECT_MS = 10_000;
+    /** Artemis' number of the refusal by a broker that is not up; it has the type of our own refusals. */
+    private static final String NOT_STARTED = "AMQ229034";
 
     private final WorkerToken token;
     private final String process;
@@ -136,11 +138,14 @@ public final class BrokerClient implements AutoCloseable {
 
     private static BrokenException broken(ActiveMQException problem) {
         ActiveMQExceptionType type = problem.getType();
-        boolean refused = type == ActiveMQExceptionType.SECURITY_EXCEPTION
-            || type == ActiveMQExceptionType.SESSION_CREATION_REJECTED;
-        String what = type == ActiveMQExceptionType.SECURITY_EXCEPTION
-            ? "the league refuses the token: it is wrong or revoked" : inOurWords(type, problem);
-        return new BrokenException(what, refused);
+        if (type == ActiveMQExceptionType.SECURITY_EXCEPTION) {
+            return new BrokenException("the league refuses the token: it is wrong or revoked", true);
+        }
+        if (String.valueOf(problem.getMessage()).startsWith(NOT_STARTED)) {
+            return new BrokenException("the league is just starting or ending", false);
+        }
+        return new BrokenException(inOurWords(type, problem),
+            type == ActiveMQExceptionType.SESSION_CREATION_REJECTED);
     }
 
     /** Artemis begins its messages with numbers of its own. */

@@ -61,7 +61,7 @@ public final class LeagueBroker implements AutoCloseable {
     static final long QUOTA = Math.max(WireMessage.LONGEST + (1 << 16), MOST_WAITING / 4);
     private static final int CONNECTIONS = 2000;
 
-    private final ActiveMQServerImpl server;
+    final ActiveMQServerImpl server;                   // a test stops it half-way
     private final LeasePlugin leases;
     private final WorkerSessions sessions;
     private final ServerLocator locator;

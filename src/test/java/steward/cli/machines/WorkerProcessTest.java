@@ -144,7 +144,7 @@ class WorkerProcessTest {
         CompletableFuture<Cli> rest = here("rest", "--stop-file", stop.toString());
         String said = league.get(200, TimeUnit.SECONDS);
         Files.createFile(stop);
-        assertEquals(0, end(rest).status());
+        assertEquals(0, end(rest).status(), () -> rest.join().err());
         return said;
     }
 

@@ -1,12 +1,14 @@
 package steward.machines.broker;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
 import org.apache.activemq.artemis.api.core.ActiveMQException;
 import org.apache.activemq.artemis.api.core.ActiveMQExceptionType;
@@ -17,12 +19,14 @@ import org.apache.activemq.artemis.api.core.client.ClientProducer;
 import org.apache.activemq.artemis.api.core.client.ClientSession;
 import org.apache.activemq.artemis.api.core.client.ClientSessionFactory;
 import org.apache.activemq.artemis.api.core.client.ServerLocator;
+import org.apache.activemq.artemis.core.server.ActivateCallback;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.function.ThrowingConsumer;
 import org.junit.jupiter.api.io.TempDir;
+import steward.machines.broker.BrokerClient.BrokenException;
 
 /** Rights of a worker with a good token, tried with a client of Artemis that is not ours. */
 @Tag("process")
@@ -88,6 +92,37 @@ class BrokerRightsTest {
             try (BrokerClient honest = served.client("two", "p")) {
                 honest.say("honest".getBytes(StandardCharsets.UTF_8));
                 assertEquals(List.of("two", "honest"), served.report(), "nothing of the others waits before it");
+            }
+        }
+    }
+
+    /** A broker that has begun to stop answers as one that refuses; the league may be served again soon. */
+    @Test
+    void aWorkerThatComesWhileTheBrokerEndsMayTryAgain() throws Exception {
+        CountDownLatch ending = new CountDownLatch(1);
+        CountDownLatch refused = new CountDownLatch(1);
+        try (ServedBroker served = new ServedBroker(folder, "one")) {
+            served.broker.server.registerActivateCallback(new ActivateCallback() {
+                @Override
+                public void preDeActivate() {
+                    ending.countDown();
+                    try {
+                        refused.await();
+                    } catch (InterruptedException end) {
+                        Thread.currentThread().interrupt();
+                    }
+                }
+            });
+            Thread closing = new Thread(served::close);
+            closing.start();
+            ending.await();
+            try {
+                BrokenException problem = assertThrows(BrokenException.class, () -> served.client("one", "p"));
+                assertEquals("the league is just starting or ending", problem.getMessage());
+                assertFalse(problem.isRefused());
+            } finally {
+                refused.countDown();
+                closing.join();
             }
         }
     }
