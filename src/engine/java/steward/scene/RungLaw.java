@@ -18,19 +18,19 @@ public enum RungLaw {
     /** {@code event/official}, where bodies cannot come to rest. */
     OFFICIAL(1, "503e94a136d51a78"),
     /** {@code event/official}, where they can. */
-    OFFICIAL_WITH_REST(5, "8d2fc7c0adc192eb"),
+    OFFICIAL_WITH_REST(5, "5a1bd5480009a639"),
     /** {@code event/double}, where bodies cannot come to rest. */
     DOUBLE(1, "f465cab171fe3b9e"),
     /** {@code event/double}, where they can. */
-    DOUBLE_WITH_REST(5, "beaf0297971bf72e"),
+    DOUBLE_WITH_REST(5, "58ac114499015aa9"),
     /** {@code event/compensated}, where bodies cannot come to rest. */
     COMPENSATED(2, "40397a35ed557add"),
     /** {@code event/compensated}, where they can. */
-    COMPENSATED_WITH_REST(6, "11a3768e92988cce"),
+    COMPENSATED_WITH_REST(6, "6af087f4f0f5c961"),
     /** {@code event/exact}, where bodies cannot come to rest. */
     EXACT(2, "645d2e6a31ecc31a"),
     /** {@code event/exact}, where they can. */
-    EXACT_WITH_REST(6, "96dabcfb206e4ef2"),
+    EXACT_WITH_REST(6, "6096fea5fb656cd1"),
     /** {@code event/official}, where forces act on bodies that cannot come to rest. */
     OFFICIAL_WITH_FORCES(2, "8b898bf768825e1a"),
     /** {@code event/double}, where forces act on bodies that cannot come to rest. */

@@ -23,12 +23,15 @@ final class ContactOrder {
     private int[] mark = new int[0];
     private int half;
     private Bodies bodies;
-    private InelasticSystem system;
+    /** Bodies of contacts, as in {@link InelasticSystem}. */
+    private int[] a;
+    private int[] b;
 
-    void find(Bodies ofBodies, InelasticSystem ofSystem) {
+    /** Finds the order of contacts of the bodies {@code first} and {@code second}. */
+    void find(Bodies ofBodies, int[] first, int[] second, int size) {
         bodies = ofBodies;
-        system = ofSystem;
-        int size = system.size;
+        a = first;
+        b = second;
         if (order.length < size) {
             int capacity = Math.max(2 * size, 3 * bodies.capacity());
             order = new int[capacity];
@@ -42,11 +45,10 @@ final class ContactOrder {
         Arrays.fill(mark, 0, bodies.size(), 0);
         half = 0;
         for (int k = 0; k < size; k++) {
-            int a = system.a[k];
-            int other = system.b[k] < 0 ? a : system.b[k];
+            int other = b[k] < 0 ? a[k] : b[k];
             order[k] = k;
-            x[k] = bodies.x[a] + bodies.x[other];
-            y[k] = bodies.y[a] + bodies.y[other];
+            x[k] = bodies.x[a[k]] + bodies.x[other];
+            y[k] = bodies.y[a[k]] + bodies.y[other];
         }
         dissect(0, size);
     }
@@ -59,16 +61,16 @@ final class ContactOrder {
         select(from, to - 1, middle, isWide(from, to) ? x : y);
         half++;
         for (int p = middle; p < to; p++) {
-            mark(system.a[order[p]]);
-            if (system.b[order[p]] >= 0) {
-                mark(system.b[order[p]]);
+            mark(a[order[p]]);
+            if (b[order[p]] >= 0) {
+                mark(b[order[p]]);
             }
         }
         int lower = from;
         int separating = 0;
         for (int p = from; p < middle; p++) {
             int k = order[p];
-            if (mark[system.a[k]] == half || system.b[k] >= 0 && mark[system.b[k]] == half) {
+            if (mark[a[k]] == half || b[k] >= 0 && mark[b[k]] == half) {
                 buffer[separating++] = k;
             } else {
                 order[lower++] = k;

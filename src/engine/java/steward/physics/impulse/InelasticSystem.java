@@ -73,8 +73,19 @@ final class InelasticSystem {
         fromY = y;
         System.arraycopy(x, 0, vx, 0, bodies.size());
         System.arraycopy(y, 0, vy, 0, bodies.size());
-        sparse.forget();
+        sparse.begin();
         restart(at);
+    }
+
+    /** Forgets the contacts of all systems before: bodies have moved. */
+    void forget(Bodies bodies) {
+        size = 0;
+        sparse.forget(bodies);
+    }
+
+    /** Takes note that a contact may be added, to this system or to one after it before bodies move. */
+    void expect(int body, int other) {
+        sparse.expect(body, other);
     }
 
     /** Adds a contact that may keep an approach speed; at 0 it is closed, and has to part. */
@@ -98,7 +109,6 @@ final class InelasticSystem {
         normalX[k] = nx;
         normalY[k] = ny;
         allowed[k] = may;
-        sparse.turn(k);
     }
 
     private void enter(int k) {
@@ -232,22 +242,30 @@ final class InelasticSystem {
 
     /** Solves a system anew of which normals were turned: from the set that it has, if that still is one. */
     void resume(Bodies bodies) {
-        for (int k = 0; k < size; k++) {
-            approach[k] = left(k, fromX, fromY);
-        }
+        findApproaches();
         if (size <= MOST_DENSE && !dense.resume(bodies)) {
             restart(parting);
         }
     }
 
-    /** Forgets all impulses; contacts have to part at another speed. */
+    /** Lets contacts part at another speed. Impulses begin anew, but for those of many contacts that are a solution. */
     void restart(double at) {
         parting = at;
+        if (size > MOST_DENSE && sparse.isFound()) {
+            findApproaches();
+            return;
+        }
         dense.clear();
         for (int k = 0; k < size; k++) {
             enter(k);
         }
         sparse.restart();
+    }
+
+    private void findApproaches() {
+        for (int k = 0; k < size; k++) {
+            approach[k] = left(k, fromX, fromY);
+        }
     }
 
     /**

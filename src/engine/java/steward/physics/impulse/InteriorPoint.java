@@ -63,7 +63,6 @@ final class InteriorPoint {
             if (!carries) {
                 active[k] = false;
                 system.impulse[k] = 0;
-                factor.change(k);
             }
         }
         system.move(bodies);
@@ -77,10 +76,7 @@ final class InteriorPoint {
             change = new double[active.length];
         }
         for (int k = 0; k < system.size; k++) {
-            if (!active[k]) {
-                active[k] = true;
-                factor.change(k);
-            }
+            active[k] = true;
             system.impulse[k] = system.held[k] ? 0 : speed / system.coupling(bodies, k, k);
             opening[k] = system.held[k] ? 0 : speed;
         }

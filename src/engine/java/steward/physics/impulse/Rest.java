@@ -62,10 +62,7 @@ public final class Rest {
     public static final int NEAR = 2048;
     /** The share of a gap that is used up until the end of the turn: the rest is room for rounding. */
     private static final double USED = 0.99;
-    /**
-     * Gaps below this share of the radii are closed. Contacts at rest part by rounding: with 2^-30 one of 10,000 opened
-     * every few turns, and the heap was solved as one that has lost a support.
-     */
+    /** Gaps below this share of the radii are closed: contacts at rest part by rounding, some of them by over 2^-30. */
     static final double CLOSED = 0x1p-24;
     /** A gap below this share of the radii is not used: rounding may be as large as what is left of it. */
     static final double ROUNDED = 0x1p-30;
@@ -182,6 +179,7 @@ public final class Rest {
             flightY[i] = bodies.vy[i];
         }
         neighbours.begin(bodies);
+        system.forget(bodies);
         gather(bodies, a, b);
         boolean rests = touching > 1 || !isPlain(bodies, a, b);
         int exchanged = 0;
@@ -202,8 +200,7 @@ public final class Rest {
                     accelerations.y[heap[k]] = system.vy[heap[k]];
                 }
             }
-        }
-        if (!rests) {
+        } else {
             restore(bodies);
         }
         for (int k = 0; k < heapSize; k++) {
@@ -327,29 +324,31 @@ public final class Rest {
         }
     }
 
-    /** Adds all contacts of a large heap that have a small gap; at 0, those that are closed. */
+    /** Adds all contacts of a large heap that have a small gap; at 0, those that are closed: others are expected. */
     private void addNear(Bodies bodies, double left) {
-        double gapShare = left > 0 ? 1.0 / NEAR : CLOSED;
         for (int k = 0; k < heapSize && heapSize >= FEWEST_AT_ONCE; k++) {
             int i = heap[k];
-            int near = neighbours.find(bodies, i, gapShare, 0);
+            int near = neighbours.find(bodies, i, 1.0 / NEAR, 0);
             for (int n = 0; n < near; n++) {
                 int j = neighbours.found[n];
                 if ((place[j] >= 0 && place[j] < k || bodies.inverseMass[j] == 0) && meet(bodies, i, j)) {
-                    addIfNear(bodies, Math.min(i, j), Math.max(i, j), gapShare, left);
+                    addIfNear(bodies, Math.min(i, j), Math.max(i, j), left);
                 }
             }
             for (int w = 0; w < walls.length; w++) {
                 if (contacts.withWall(bodies.kind[i]) == Contacts.Meaning.BOUNCE) {
-                    addIfNear(bodies, i, ~w, gapShare, left);
+                    addIfNear(bodies, i, ~w, left);
                 }
             }
         }
     }
 
-    private void addIfNear(Bodies bodies, int i, int j, double gapShare, double left) {
-        boolean rests = law.isRest(bodies, i, j, law.approach(bodies, i, j));
-        if (rests && law.gap <= gapShare * RestLaw.radii(bodies, i, j) && system.find(i, j) < 0) {
+    private void addIfNear(Bodies bodies, int i, int j, double left) {
+        double radii = RestLaw.radii(bodies, i, j);
+        boolean isNear = law.isRest(bodies, i, j, law.approach(bodies, i, j)) && law.gap * NEAR <= radii;
+        if (isNear && left == 0 && law.gap > CLOSED * radii) {
+            system.expect(i, j);
+        } else if (isNear && system.find(i, j) < 0) {
             if (left > 0 && rims.isRim(j)) {
                 rims.look(bodies, i, ~j, left);
                 system.add(i, j, rims.normalX, rims.normalY, rims.allowed);

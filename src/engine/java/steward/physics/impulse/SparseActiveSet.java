@@ -17,8 +17,10 @@ import steward.physics.Bodies;
  */
 
 /**
- * Solver for the least impulses of many contacts ({@link InelasticSystem}). Begins with the guess that contacts
- * carry which are closed, or nearly so, or approach faster than they may; such contacts that are added join the set.
+ * Solver for the least impulses of many contacts ({@link InelasticSystem}). Begins with the guess that contacts carry
+ * which are closed, or nearly so, unless the system before has left them out, and contacts that approach faster than
+ * they may; such contacts that are added join the set. The first solution of a guess is refined before contacts leave:
+ * its error is more than the impulse of some.
  */
 final class SparseActiveSet {
 
@@ -40,7 +42,7 @@ final class SparseActiveSet {
     private static final int SLOW = 24;
 
     private final InelasticSystem system;
-    private final SparseFactor factor = new SparseFactor();
+    private final SparseFactor factor;
     private final InteriorPoint interior;
     private boolean[] active = new boolean[0];
     /** Right side, then the change of the impulses. */
@@ -54,18 +56,36 @@ final class SparseActiveSet {
 
     SparseActiveSet(InelasticSystem system) {
         this.system = system;
+        factor = new SparseFactor(system);
         interior = new InteriorPoint(system, factor);
     }
 
-    /** Forgets all contacts. */
-    void forget() {
+    /** Begins with other contacts. */
+    void begin() {
         known = 0;
+        isFound = false;
     }
 
-    /** Begins with a new guess, unless the last set was one. */
+    /** Forgets the couplings of all contacts: bodies have moved. */
+    void forget(Bodies bodies) {
+        begin();
+        factor.forget(bodies);
+    }
+
+    /** Takes note that a contact may be added, to this system or to one after it. */
+    void expect(int body, int other) {
+        factor.expect(body, other);
+    }
+
+    /** True if the set that there is has solved its system. */
+    boolean isFound() {
+        return isFound;
+    }
+
+    /** Begins with a new guess. */
     void restart() {
-        for (int k = 0; k < known && !isFound; k++) {
-            set(k, isGuessed(k));
+        for (int k = 0; k < known; k++) {
+            active[k] = isGuessed(k);
         }
     }
 
@@ -74,34 +94,20 @@ final class SparseActiveSet {
         return system.allowed[k] <= nearly || system.left(k) > 0;
     }
 
-    /** Takes note that a contact has another normal. */
-    void turn(int k) {
-        if (k < known) {
-            factor.change(k);
-        }
-    }
-
-    private void set(int k, boolean carries) {
-        if (active[k] != carries) {
-            active[k] = carries;
-            factor.change(k);
-        }
-    }
-
-    private void begin(Bodies bodies) {
+    private void guess(Bodies bodies) {
         if (active.length < system.size) {
             int capacity = Math.max(2 * system.size, 3 * bodies.capacity());
             active = Arrays.copyOf(active, capacity);
             change = new double[capacity];
         }
         if (known < system.size) {
+            factor.enter(bodies, known);
             for (; known < system.size; known++) {
-                active[known] = isGuessed(known);
+                active[known] = isGuessed(known) && !(system.allowed[known] <= nearly && factor.wasOut(known));
             }
-            factor.analyse(bodies, system);
         }
         for (int k = 0; k < known; k++) {
-            set(k, active[k] || system.held[k]);
+            active[k] |= system.held[k];
         }
         system.move(bodies);
     }
@@ -120,7 +126,7 @@ final class SparseActiveSet {
     private boolean find(Bodies bodies, double tolerance) {
         double speed = largestApproach();
         nearly = NEARLY * speed;
-        begin(bodies);
+        guess(bodies);
         double near = NEAR;
         double before = Double.POSITIVE_INFINITY;
         int fewest = Integer.MAX_VALUE;
@@ -137,6 +143,9 @@ final class SparseActiveSet {
                 chances = CHANCES;
             }
             solveSet(bodies);
+            if (steps == 0 && !isFound) {
+                solveSet(bodies);
+            }
             int wrong = exchange(bodies, tolerance);
             chances = wrong == 0 ? chances : wrong < fewest ? CHANCES : chances - 1;
             fewest = Math.min(fewest, wrong);
@@ -183,7 +192,7 @@ final class SparseActiveSet {
                 || system.impulse[k] == 0 && system.left(k) > tolerance;
             if (carries != active[k]) {
                 wrong++;
-                set(k, carries);
+                active[k] = carries;
             }
         }
         for (int k = 0; k < known; k++) {

@@ -14,7 +14,8 @@ import steward.physics.Bodies;
 
 /**
  * Cholesky factor of the couplings of a system's contacts, in the order of {@link ContactOrder}, for sets of them. The
- * share {@value #REGULAR} is added to the diagonal, so that a factor exists for dependent normals, too.
+ * share {@value #REGULAR} is added to the diagonal, so that a factor exists for dependent normals, too. It keeps all
+ * contacts that it has met since bodies were last moved, so that systems of the bodies share what they have in common.
  */
 final class SparseFactor {
 
@@ -24,9 +25,28 @@ final class SparseFactor {
     /** Entries of a row of the factor for which there is room from the beginning. */
     private static final int USUAL = 16;
 
+    private final InelasticSystem system;
     private final ContactOrder order = new ContactOrder();
-    private InelasticSystem system;
+    /** Bodies of the contacts of these places, as in {@link InelasticSystem}. */
+    private int[] a = new int[0];
+    private int[] b = new int[0];
+    /** Contacts of these places, and those of them that have a row. */
     private int size;
+    private int rows;
+    /** Of a body, its last contact as the first of the two, or -1; and of a contact, the one before it. */
+    private int[] last = new int[0];
+    private int[] previous = new int[0];
+    /** Of a contact of the system, its index here. */
+    private int[] index = new int[0];
+    /** Of a contact, its index in the system, or -1. */
+    private int[] inSystem = new int[0];
+    /** True for a contact that was in a system before the present one. */
+    private boolean[] wasMet = new boolean[0];
+    /** Of a contact: is in the set, its normal and what is added to its diagonal, as its row has them. */
+    private boolean[] inSet = new boolean[0];
+    private double[] normalX = new double[0];
+    private double[] normalY = new double[0];
+    private double[] added = new double[0];
     /** Place of a contact in the order. */
     private int[] rank = new int[0];
     /** Rows of A below the diagonal: columns of row i from rowStart[i] on. */
@@ -48,27 +68,92 @@ final class SparseFactor {
     private int[] columnRow = new int[0];
     private double[] value = new double[0];
     private double[] diagonal = new double[0];
-    /** Of a contact: is added to its diagonal, besides its share. */
-    private double[] added = new double[0];
     private double[] work = new double[0];
     private boolean[] stale = new boolean[0];
 
-    /** Finds the entries of the factor of a system's contacts; all rows are to be computed. */
-    void analyse(Bodies bodies, InelasticSystem ofSystem) {
-        system = ofSystem;
-        size = system.size;
-        order.find(bodies, system);
-        grow(bodies);
-        for (int i = 0; i < size; i++) {
+    SparseFactor(InelasticSystem system) {
+        this.system = system;
+    }
+
+    /** Forgets all contacts: bodies have moved. */
+    void forget(Bodies bodies) {
+        if (last.length < bodies.size()) {
+            last = new int[bodies.capacity()];
+            Arrays.fill(last, -1);
+        }
+        for (int p = 0; p < size; p++) {
+            last[a[p]] = -1;
+        }
+        size = 0;
+        rows = 0;
+    }
+
+    /** Takes note that a system of these places may have a contact. @return its index */
+    int expect(int body, int other) {
+        int p = last[body];
+        while (p >= 0 && b[p] != other) {
+            p = previous[p];
+        }
+        if (p >= 0) {
+            return p;
+        }
+        if (size == a.length) {
+            grow(Math.max(2 * size, 3 * last.length));
+        }
+        a[size] = body;
+        b[size] = other;
+        previous[size] = last[body];
+        last[body] = size;
+        inSystem[size] = -1;
+        wasMet[size] = false;
+        added[size] = 0;
+        return size++;
+    }
+
+    private void grow(int capacity) {
+        a = Arrays.copyOf(a, capacity);
+        b = Arrays.copyOf(b, capacity);
+        previous = Arrays.copyOf(previous, capacity);
+        inSystem = Arrays.copyOf(inSystem, capacity);
+        wasMet = Arrays.copyOf(wasMet, capacity);
+        added = Arrays.copyOf(added, capacity);
+        index = Arrays.copyOf(index, capacity);
+    }
+
+    /** Takes the contacts of the system from an index on; from 0 on, those of the system before are in it no longer. */
+    void enter(Bodies bodies, int from) {
+        for (int p = 0; p < size && from == 0; p++) {
+            wasMet[p] |= inSystem[p] >= 0;
+            inSystem[p] = -1;
+        }
+        for (int k = from; k < system.size; k++) {
+            int p = expect(system.a[k], system.b[k]);
+            index[k] = p;
+            inSystem[p] = k;
+        }
+        if (rows < size) {
+            analyse(bodies);
+        }
+    }
+
+    /** Finds the entries of the factor; all rows are to be computed. */
+    private void analyse(Bodies bodies) {
+        rows = size;
+        order.find(bodies, a, b, rows);
+        growRows(bodies);
+        for (int i = 0; i < rows; i++) {
             rank[order.order[i]] = i;
         }
         findRows(bodies);
         findEntries();
     }
 
-    private void grow(Bodies bodies) {
-        if (rank.length < size) {
-            int capacity = Math.max(2 * size, 3 * bodies.capacity());
+    private void growRows(Bodies bodies) {
+        if (rank.length < rows) {
+            int capacity = Math.max(2 * rows, 3 * bodies.capacity());
+            inSet = new boolean[capacity];
+            normalX = new double[capacity];
+            normalY = new double[capacity];
             rank = new int[capacity];
             rowStart = new int[capacity + 1];
             parent = new int[capacity];
@@ -77,7 +162,6 @@ final class SparseFactor {
             factorStart = new int[capacity + 1];
             columnStart = new int[capacity + 1];
             diagonal = new double[capacity];
-            added = new double[capacity];
             work = new double[capacity];
             stale = new boolean[capacity];
             bodyContact = new int[2 * capacity];
@@ -85,36 +169,36 @@ final class SparseFactor {
         if (bodyStart.length < bodies.size() + 2) {
             bodyStart = new int[bodies.capacity() + 2];
         }
-        Arrays.fill(stale, 0, size, true);
+        Arrays.fill(stale, 0, rows, true);
     }
 
     private void findRows(Bodies bodies) {
         Arrays.fill(bodyStart, 0, bodies.size() + 2, 0);
-        for (int k = 0; k < size; k++) {
-            bodyStart[system.a[k] + 2]++;
-            if (system.b[k] >= 0) {
-                bodyStart[system.b[k] + 2]++;
+        for (int k = 0; k < rows; k++) {
+            bodyStart[a[k] + 2]++;
+            if (b[k] >= 0) {
+                bodyStart[b[k] + 2]++;
             }
         }
         for (int i = 2; i < bodies.size() + 2; i++) {
             bodyStart[i] += bodyStart[i - 1];
         }
-        for (int k = 0; k < size; k++) {
-            bodyContact[bodyStart[system.a[k] + 1]++] = k;
-            if (system.b[k] >= 0) {
-                bodyContact[bodyStart[system.b[k] + 1]++] = k;
+        for (int k = 0; k < rows; k++) {
+            bodyContact[bodyStart[a[k] + 1]++] = k;
+            if (b[k] >= 0) {
+                bodyContact[bodyStart[b[k] + 1]++] = k;
             }
         }
         int entries = 0;
-        for (int i = 0; i < size; i++) {
+        for (int i = 0; i < rows; i++) {
             rowStart[i] = entries;
             int k = order.order[i];
-            entries = addRow(bodies, i, system.a[k], entries);
-            if (system.b[k] >= 0) {
-                entries = addRow(bodies, i, system.b[k], entries);
+            entries = addRow(bodies, i, a[k], entries);
+            if (b[k] >= 0) {
+                entries = addRow(bodies, i, b[k], entries);
             }
         }
-        rowStart[size] = entries;
+        rowStart[rows] = entries;
     }
 
     private int addRow(Bodies bodies, int i, int body, int from) {
@@ -134,13 +218,13 @@ final class SparseFactor {
     }
 
     private void findEntries() {
-        Arrays.fill(columnStart, 0, size + 1, 0);
+        Arrays.fill(columnStart, 0, rows + 1, 0);
         int entries = 0;
-        for (int i = 0; i < size; i++) {
+        for (int i = 0; i < rows; i++) {
             parent[i] = -1;
             seen[i] = i;
             factorStart[i] = entries;
-            int top = size;
+            int top = rows;
             for (int at = rowStart[i]; at < rowStart[i + 1]; at++) {
                 int length = 0;
                 for (int j = rowColumn[at]; seen[j] != i; j = parent[j]) {
@@ -152,25 +236,25 @@ final class SparseFactor {
                     path[--top] = path[--length];
                 }
             }
-            if (factorColumn.length < entries + size - top) {
+            if (factorColumn.length < entries + rows - top) {
                 factorColumn = Arrays.copyOf(factorColumn, 2 * factorColumn.length + USUAL * rank.length);
             }
-            for (; top < size; top++) {
+            for (; top < rows; top++) {
                 columnStart[path[top] + 1]++;
                 factorColumn[entries++] = path[top];
             }
         }
-        factorStart[size] = entries;
+        factorStart[rows] = entries;
         if (factorPlace.length < entries) {
             factorPlace = new int[factorColumn.length];
             columnRow = new int[factorColumn.length];
             value = new double[factorColumn.length];
         }
-        for (int j = 0; j < size; j++) {
+        for (int j = 0; j < rows; j++) {
             columnStart[j + 1] += columnStart[j];
             path[j] = columnStart[j];
         }
-        for (int i = 0; i < size; i++) {
+        for (int i = 0; i < rows; i++) {
             for (int at = factorStart[i]; at < factorStart[i + 1]; at++) {
                 int place = path[factorColumn[at]]++;
                 factorPlace[at] = place;
@@ -179,40 +263,57 @@ final class SparseFactor {
         }
     }
 
-    /** Adds a number to the diagonal of a contact, instead of the one before. */
+    /** True if a contact of the system was in one before, but not in its set. */
+    boolean wasOut(int k) {
+        return wasMet[index[k]] && !inSet[index[k]];
+    }
+
+    /** Adds a number to the diagonal of a contact of the system, instead of the one before. */
     void add(int k, double number) {
-        if (added[k] != number) {
-            added[k] = number;
-            change(k);
+        int p = index[k];
+        if (added[p] != number) {
+            added[p] = number;
+            change(p);
         }
     }
 
-    /** Takes note that a contact has entered or left the set, or has another normal. */
-    void change(int k) {
-        for (int i = rank[k]; i >= 0 && !stale[i]; i = parent[i]) {
+    /** Takes note that a contact has another row. */
+    private void change(int p) {
+        for (int i = rank[p]; i >= 0 && !stale[i]; i = parent[i]) {
             stale[i] = true;
         }
     }
 
     /** Computes the rows that have changed since the last time. */
     void factorize(Bodies bodies, boolean[] active) {
-        for (int i = 0; i < size; i++) {
+        for (int p = 0; p < rows; p++) {
+            int k = inSystem[p];
+            boolean enters = k >= 0 && active[k];
+            if (enters != inSet[p] || enters && (system.normalX[k] != normalX[p] || system.normalY[k] != normalY[p])) {
+                change(p);
+                inSet[p] = enters;
+                normalX[p] = enters ? system.normalX[k] : 0;
+                normalY[p] = enters ? system.normalY[k] : 0;
+            }
+        }
+        for (int i = 0; i < rows; i++) {
             if (stale[i]) {
                 stale[i] = false;
-                computeRow(bodies, active, i);
+                computeRow(bodies, i);
             }
         }
     }
 
-    private void computeRow(Bodies bodies, boolean[] active, int i) {
-        int k = order.order[i];
+    private void computeRow(Bodies bodies, int i) {
+        int p = order.order[i];
         double pivot = 1;
-        if (active[k]) {
+        if (inSet[p]) {
+            int k = inSystem[p];
             for (int at = rowStart[i]; at < rowStart[i + 1]; at++) {
-                int l = order.order[rowColumn[at]];
-                work[rowColumn[at]] = active[l] ? system.coupling(bodies, k, l) : 0;
+                int other = order.order[rowColumn[at]];
+                work[rowColumn[at]] = inSet[other] ? system.coupling(bodies, k, inSystem[other]) : 0;
             }
-            pivot = system.coupling(bodies, k, k) * (1 + REGULAR) + added[k];
+            pivot = system.coupling(bodies, k, k) * (1 + REGULAR) + added[p];
         }
         for (int at = factorStart[i]; at < factorStart[i + 1]; at++) {
             int j = factorColumn[at];
@@ -234,10 +335,10 @@ final class SparseFactor {
 
     /** Solves for a right side by contacts, in place; those outside the set keep theirs. */
     void solve(double[] side) {
-        for (int i = 0; i < size; i++) {
-            work[i] = side[order.order[i]];
+        for (int k = 0; k < system.size; k++) {
+            work[rank[index[k]]] = side[k];
         }
-        for (int j = 0; j < size; j++) {
+        for (int j = 0; j < rows; j++) {
             double known = work[j];
             if (known != 0) {
                 for (int at = columnStart[j]; at < columnStart[j + 1]; at++) {
@@ -245,16 +346,16 @@ final class SparseFactor {
                 }
             }
         }
-        for (int j = size - 1; j >= 0; j--) {
+        for (int j = rows - 1; j >= 0; j--) {
             double sum = work[j] / diagonal[j];
             for (int at = columnStart[j]; at < columnStart[j + 1]; at++) {
                 sum -= value[at] * work[columnRow[at]];
             }
             work[j] = sum;
         }
-        for (int i = 0; i < size; i++) {
-            side[order.order[i]] = work[i];
-            work[i] = 0;
+        for (int k = 0; k < system.size; k++) {
+            side[k] = work[rank[index[k]]];
         }
+        Arrays.fill(work, 0, rows, 0);
     }
 }

@@ -62,8 +62,7 @@ class InelasticSystemTest {
         for (long seed = 1; seed <= 20; seed++) {
             Bodies bodies = bodies(heap, seed);
             InelasticSystem system = solved(heap, bodies, seed);
-            InelasticSystem other = new InelasticSystem();
-            other.begin(bodies, bodies.vx, bodies.vy, 0);
+            InelasticSystem other = empty(bodies);
             for (int k = system.size - 1; k >= 0; k--) {
                 other.add(system.a[k], system.b[k], system.normalX[k], system.normalY[k], system.allowed[k]);
                 other.held[system.size - 1 - k] = system.held[k];
@@ -83,10 +82,8 @@ class InelasticSystemTest {
     void theDenseWayHasTheSameVelocities(Heap heap) {
         for (long seed = 1; seed <= 200; seed++) {
             Bodies bodies = bodies(heap, seed);
-            InelasticSystem dense = new InelasticSystem();
-            dense.begin(bodies, bodies.vx, bodies.vy, 0);
-            InelasticSystem sparse = new InelasticSystem();
-            sparse.begin(bodies, bodies.vx, bodies.vy, 0);
+            InelasticSystem dense = empty(bodies);
+            InelasticSystem sparse = empty(bodies);
             InelasticSystem all = system(heap, bodies, seed);
             for (int k = 0; k < all.size; k++) {
                 boolean few = all.a[k] < 12 && all.b[k] < 12 && dense.size < InelasticSystem.MOST_DENSE;
@@ -109,6 +106,80 @@ class InelasticSystemTest {
                 assertEquals(dense.vy[i], sparse.vy[i], bound, where);
             }
         }
+    }
+
+    /**
+     * Systems of one heap share their couplings: one of some contacts with other velocities, then one of all with the
+     * normals turned, in another order, and at last with another speed of parting.
+     */
+    @ParameterizedTest
+    @EnumSource
+    void whatSystemsBeforeHadInCommonDoesNotMatter(Heap heap) {
+        for (long seed = 1; seed <= 100; seed++) {
+            SplitMix64 random = new SplitMix64(seed);
+            Bodies bodies = bodies(heap, seed);
+            InelasticSystem all = system(heap, bodies, seed);
+            InelasticSystem shared = empty(bodies);
+            for (int k = 0; k < all.size; k++) {
+                if (random.nextInt(3) > 0) {
+                    add(all, k, shared);
+                } else if (random.nextInt(2) == 0) {
+                    shared.expect(all.a[k], all.b[k]);
+                }
+            }
+            shared.solve(bodies, EXACT);
+            for (int k = all.size - 1; k > 0; k--) {
+                all.swap(k, random.nextInt(k + 1));
+            }
+            for (int k = 0; k < all.size; k++) {
+                double angle = all.b[k] < 0 ? 0 : 0.01 * (random.nextDouble() - 0.5);
+                double cos = StrictMath.cos(angle);
+                double sin = StrictMath.sin(angle);
+                all.turn(k, all.normalX[k] * cos - all.normalY[k] * sin, all.normalX[k] * sin + all.normalY[k] * cos,
+                    all.allowed[k]);
+            }
+            InelasticSystem alone = empty(bodies);
+            shared.begin(bodies, bodies.vx, bodies.vy, 0);
+            for (int k = 0; k < all.size; k++) {
+                add(all, k, alone);
+                add(all, k, shared);
+            }
+            String where = heap + ", seed " + seed;
+            alone.solve(bodies, EXACT);
+            shared.solve(bodies, EXACT);
+            check(where, bodies, shared);
+            assertSame(where, bodies, alone, shared);
+            double parting = heap == Heap.HELD ? 0 : 1e-3;
+            alone = empty(bodies);
+            alone.restart(parting);
+            for (int k = 0; k < all.size; k++) {
+                add(all, k, alone);
+            }
+            shared.restart(parting);
+            alone.solve(bodies, EXACT);
+            shared.solve(bodies, EXACT);
+            assertSame(where, bodies, alone, shared);
+        }
+    }
+
+    private static void add(InelasticSystem from, int k, InelasticSystem to) {
+        to.add(from.a[k], from.b[k], from.normalX[k], from.normalY[k], from.allowed[k]);
+        to.held[to.size - 1] = from.held[k];
+    }
+
+    private static void assertSame(String where, Bodies bodies, InelasticSystem expected, InelasticSystem found) {
+        double bound = 1e3 * EXACT * Math.max(largestChange(bodies, expected), largestChange(bodies, found));
+        for (int i = 0; i < COUNT; i++) {
+            assertEquals(expected.vx[i], found.vx[i], bound, where + ", body " + i);
+            assertEquals(expected.vy[i], found.vy[i], bound, where + ", body " + i);
+        }
+    }
+
+    private static InelasticSystem empty(Bodies bodies) {
+        InelasticSystem system = new InelasticSystem();
+        system.forget(bodies);
+        system.begin(bodies, bodies.vx, bodies.vy, 0);
+        return system;
     }
 
     private static InelasticSystem solved(Heap heap, Bodies bodies, long seed) {
@@ -168,8 +239,7 @@ class InelasticSystemTest {
     /** Contacts of neighbours, with the floor, and in the corner with a wall on the left; some may keep an approach. */
     private static InelasticSystem system(Heap heap, Bodies bodies, long seed) {
         SplitMix64 random = new SplitMix64(~seed);
-        InelasticSystem system = new InelasticSystem();
-        system.begin(bodies, bodies.vx, bodies.vy, 0);
+        InelasticSystem system = empty(bodies);
         for (int j = 0; j < COUNT; j++) {
             for (int i = 0; i < j; i++) {
                 double x = bodies.x[j] - bodies.x[i];
