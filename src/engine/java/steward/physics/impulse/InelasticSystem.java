@@ -88,7 +88,7 @@ final class InelasticSystem {
         sparse.expect(body, other);
     }
 
-    /** Adds a contact that may keep an approach speed; at 0 it is closed, and has to part. */
+    /** Adds a contact of two that have none, which may keep an approach speed; at 0 it is closed, and has to part. */
     void add(int body, int other, double nx, double ny, double may) {
         if (size == a.length) {
             grow(2 * size + 8);
@@ -132,7 +132,7 @@ final class InelasticSystem {
         sorted = new int[capacity];
     }
 
-    /** Exchanges two contacts of a solved system; {@link #find} no longer finds them. */
+    /** Exchanges two contacts of a solved system, which has to begin again; {@link #find} no longer finds them. */
     void swap(int k, int l) {
         int body = a[k];
         int other = b[k];
@@ -242,30 +242,22 @@ final class InelasticSystem {
 
     /** Solves a system anew of which normals were turned: from the set that it has, if that still is one. */
     void resume(Bodies bodies) {
-        findApproaches();
+        for (int k = 0; k < size; k++) {
+            approach[k] = left(k, fromX, fromY);
+        }
         if (size <= MOST_DENSE && !dense.resume(bodies)) {
             restart(parting);
         }
     }
 
-    /** Lets contacts part at another speed. Impulses begin anew, but for those of many contacts that are a solution. */
+    /** Forgets all impulses; contacts have to part at another speed. */
     void restart(double at) {
         parting = at;
-        if (size > MOST_DENSE && sparse.isFound()) {
-            findApproaches();
-            return;
-        }
         dense.clear();
         for (int k = 0; k < size; k++) {
             enter(k);
         }
         sparse.restart();
-    }
-
-    private void findApproaches() {
-        for (int k = 0; k < size; k++) {
-            approach[k] = left(k, fromX, fromY);
-        }
     }
 
     /**

@@ -19,8 +19,8 @@ import steward.physics.Bodies;
 /**
  * Solver for the least impulses of many contacts ({@link InelasticSystem}). Begins with the guess that contacts carry
  * which are closed, or nearly so, unless the system before has left them out, and contacts that approach faster than
- * they may; such contacts that are added join the set. The first solution of a guess is refined before contacts leave:
- * its error is more than the impulse of some.
+ * they may. Contacts that are closed or approach and are added later join the set. The first solution is refined before
+ * contacts leave: its error is more than the impulse of some.
  */
 final class SparseActiveSet {
 
@@ -47,10 +47,12 @@ final class SparseActiveSet {
     private boolean[] active = new boolean[0];
     /** Right side, then the change of the impulses. */
     private double[] change = new double[0];
-    /** Contacts that the factor knows; 0 for none. */
+    /** Contacts of the system that the factor has; 0 if it has begun anew. */
     private int known;
     /** True if the set that there is has solved its system. */
     private boolean isFound;
+    /** True if all impulses are still 0. */
+    private boolean begins;
     /** Contacts that may keep an approach up to this speed are guessed to carry. */
     private double nearly;
 
@@ -64,6 +66,7 @@ final class SparseActiveSet {
     void begin() {
         known = 0;
         isFound = false;
+        begins = true;
     }
 
     /** Forgets the couplings of all contacts: bodies have moved. */
@@ -77,16 +80,12 @@ final class SparseActiveSet {
         factor.expect(body, other);
     }
 
-    /** True if the set that there is has solved its system. */
-    boolean isFound() {
-        return isFound;
-    }
-
-    /** Begins with a new guess. */
+    /** Begins with impulses of 0, and with a new guess, unless the last set was a solution. */
     void restart() {
-        for (int k = 0; k < known; k++) {
+        for (int k = 0; k < known && !isFound; k++) {
             active[k] = isGuessed(k);
         }
+        begins = true;
     }
 
     /** True for contacts that are closed or nearly so, or approach at the velocities that there are. */
@@ -102,8 +101,10 @@ final class SparseActiveSet {
         }
         if (known < system.size) {
             factor.enter(bodies, known);
+            boolean isFirst = known == 0;
             for (; known < system.size; known++) {
-                active[known] = isGuessed(known) && !(system.allowed[known] <= nearly && factor.wasOut(known));
+                boolean wasOut = isFirst && system.allowed[known] <= nearly && factor.wasOut(known);
+                active[known] = isGuessed(known) && !wasOut;
             }
         }
         for (int k = 0; k < known; k++) {
@@ -143,7 +144,8 @@ final class SparseActiveSet {
                 chances = CHANCES;
             }
             solveSet(bodies);
-            if (steps == 0 && !isFound) {
+            if (begins) {
+                begins = false;
                 solveSet(bodies);
             }
             int wrong = exchange(bodies, tolerance);

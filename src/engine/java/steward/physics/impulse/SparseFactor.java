@@ -40,8 +40,8 @@ final class SparseFactor {
     private int[] index = new int[0];
     /** Of a contact, its index in the system, or -1. */
     private int[] inSystem = new int[0];
-    /** True for a contact that was in a system before the present one. */
-    private boolean[] wasMet = new boolean[0];
+    /** True for a contact that its last system before the present one has left out of its set. */
+    private boolean[] wasOut = new boolean[0];
     /** Of a contact: is in the set, its normal and what is added to its diagonal, as its row has them. */
     private boolean[] inSet = new boolean[0];
     private double[] normalX = new double[0];
@@ -105,7 +105,7 @@ final class SparseFactor {
         previous[size] = last[body];
         last[body] = size;
         inSystem[size] = -1;
-        wasMet[size] = false;
+        wasOut[size] = false;
         added[size] = 0;
         return size++;
     }
@@ -115,7 +115,7 @@ final class SparseFactor {
         b = Arrays.copyOf(b, capacity);
         previous = Arrays.copyOf(previous, capacity);
         inSystem = Arrays.copyOf(inSystem, capacity);
-        wasMet = Arrays.copyOf(wasMet, capacity);
+        wasOut = Arrays.copyOf(wasOut, capacity);
         added = Arrays.copyOf(added, capacity);
         index = Arrays.copyOf(index, capacity);
     }
@@ -123,7 +123,7 @@ final class SparseFactor {
     /** Takes the contacts of the system from an index on; from 0 on, those of the system before are in it no longer. */
     void enter(Bodies bodies, int from) {
         for (int p = 0; p < size && from == 0; p++) {
-            wasMet[p] |= inSystem[p] >= 0;
+            wasOut[p] = inSystem[p] >= 0 ? !inSet[p] : wasOut[p];
             inSystem[p] = -1;
         }
         for (int k = from; k < system.size; k++) {
@@ -263,9 +263,9 @@ final class SparseFactor {
         }
     }
 
-    /** True if a contact of the system was in one before, but not in its set. */
+    /** True if a contact of the system was in one before, of which the last has left it out of its set. */
     boolean wasOut(int k) {
-        return wasMet[index[k]] && !inSet[index[k]];
+        return wasOut[index[k]];
     }
 
     /** Adds a number to the diagonal of a contact of the system, instead of the one before. */
