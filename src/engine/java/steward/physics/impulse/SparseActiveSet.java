@@ -18,9 +18,9 @@ import steward.physics.Bodies;
 
 /**
  * Solver for the least impulses of many contacts ({@link InelasticSystem}). Begins with the guess that contacts carry
- * which are closed, or nearly so, unless the system before has left them out, and contacts that approach faster than
- * they may. Contacts that are closed or approach and are added later join the set. The first solution is refined before
- * contacts leave: its error is more than the impulse of some.
+ * which are closed, or nearly so, unless the last system that had them left them out, and contacts with a gap that
+ * approach faster than they may. Contacts that are closed or approach and are added later join the set. The first
+ * solution is refined before contacts leave: its error is more than the impulse of some.
  */
 final class SparseActiveSet {
 
@@ -51,7 +51,7 @@ final class SparseActiveSet {
     private int known;
     /** True if the set that there is has solved its system. */
     private boolean isFound;
-    /** True if all impulses are still 0. */
+    /** True if nothing was solved here since all impulses were 0. */
     private boolean begins;
     /** Contacts that may keep an approach up to this speed are guessed to carry. */
     private double nearly;

@@ -113,7 +113,7 @@ class InelasticSystemTest {
     }
 
     /**
-     * Systems of one heap share their couplings: one of some contacts, which expects all, then one of all with normals
+     * Couplings that systems of one heap share: one of some contacts, which expects all, then one of all with normals
      * that are turned, with another speed of parting, one of fewer, and all in another order after the bodies moved.
      */
     @ParameterizedTest
@@ -181,6 +181,7 @@ class InelasticSystemTest {
                     add(all, k, used);
                 }
             }
+            assertTrue(heap == Heap.LOOSE || used.size > InelasticSystem.MOST_DENSE, "not the sparse way");
             used.solve(few, EXACT);
             InelasticSystem unused = new InelasticSystem();
             for (InelasticSystem system : List.of(used, unused)) {

@@ -20,6 +20,7 @@ import org.apache.activemq.artemis.api.core.client.ClientSessionFactory;
 import org.apache.activemq.artemis.api.core.client.ServerLocator;
 import org.apache.activemq.artemis.core.remoting.impl.netty.NettyConnectorFactory;
 import org.apache.activemq.artemis.core.remoting.impl.netty.TransportConstants;
+import org.apache.activemq.artemis.spi.core.protocol.RemotingConnection;
 import steward.machines.token.WorkerToken;
 import steward.machines.wire.WireMessage;
 
@@ -176,7 +177,8 @@ public final class BrokerClient implements AutoCloseable {
         try {
             ClientMessage message = told.receive(waitMs);
             if (message == null) {
-                if (listening.isClosed() || factory.isClosed() || factory.getConnection().isDestroyed()) {
+                RemotingConnection connection = listening.isClosed() ? null : factory.getConnection();
+                if (connection == null || connection.isDestroyed()) {
                     throw new BrokenException("the connection is closed", false);
                 }
                 return null;
@@ -184,6 +186,8 @@ public final class BrokerClient implements AutoCloseable {
             byte[] bytes = bytes(message);
             message.acknowledge();
             return bytes;
+        } catch (IllegalStateException gone) {         // the factory has been closed meanwhile
+            throw new BrokenException("the connection is closed", false);
         } catch (ActiveMQException problem) {
             throw broken(problem);
         }

@@ -43,6 +43,11 @@ final class WorkerAdmission implements Admission {
     /** True if the worker may play; one that has just been added is found in the file. */
     @Override
     public boolean admits(String worker, String secret) {
+        return list.admits(worker, secret) || admitsAnew(worker, secret);
+    }
+
+    /** Looks into the file; of several threads that come at once, the first one reads it for all. */
+    private synchronized boolean admitsAnew(String worker, String secret) {
         if (list.admits(worker, secret)) {
             return true;
         }

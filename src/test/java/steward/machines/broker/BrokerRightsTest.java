@@ -4,11 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.apache.activemq.artemis.api.core.ActiveMQException;
 import org.apache.activemq.artemis.api.core.ActiveMQExceptionType;
@@ -96,7 +98,7 @@ class BrokerRightsTest {
         }
     }
 
-    /** A broker that has begun to stop answers as one that refuses; the league may be served again soon. */
+    /** While it stops, a broker answers as one that refuses; but the league may be served again soon. */
     @Test
     void aWorkerThatComesWhileTheBrokerEndsMayTryAgain() throws Exception {
         CountDownLatch ending = new CountDownLatch(1);
@@ -107,7 +109,7 @@ class BrokerRightsTest {
                 public void preDeActivate() {
                     ending.countDown();
                     try {
-                        refused.await();
+                        refused.await(60, TimeUnit.SECONDS);
                     } catch (InterruptedException end) {
                         Thread.currentThread().interrupt();
                     }
@@ -115,8 +117,8 @@ class BrokerRightsTest {
             });
             Thread closing = new Thread(served::close);
             closing.start();
-            ending.await();
             try {
+                assertTrue(ending.await(60, TimeUnit.SECONDS));
                 BrokenException problem = assertThrows(BrokenException.class, () -> served.client("one", "p"));
                 assertEquals("the league is just starting or ending", problem.getMessage());
                 assertFalse(problem.isRefused());
