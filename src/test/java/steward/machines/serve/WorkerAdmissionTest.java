@@ -13,6 +13,7 @@ import java.util.concurrent.CyclicBarrier;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import steward.league.LeagueFolder;
@@ -22,6 +23,8 @@ import steward.machines.token.WorkerPauses;
 import steward.machines.token.WorkerToken;
 
 /** Admission of workers that come as soon as they have been added. */
+@Tag("process")
+@Tag("slow")
 class WorkerAdmissionTest {
 
     private static final int WORKERS = 4;
