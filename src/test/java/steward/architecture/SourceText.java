@@ -2,6 +2,7 @@ package steward.architecture;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.SortedMap;
@@ -14,10 +15,12 @@ public final class SourceText {
     private SourceText() {
     }
 
-    /** One file. */
+    /** One file; pictures, packed ones and others with a byte of 0 have no text. */
     public static String of(String file) {
         try {
-            return Files.readString(Path.of(file));
+            byte[] bytes = Files.readAllBytes(Path.of(file));
+            String text = new String(bytes, StandardCharsets.UTF_8);
+            return text.indexOf(0) < 0 ? text : "";
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
         }
