@@ -52,11 +52,7 @@ public interface GameType {
         return scene.json();
     }
 
-    /**
-     * The scene with another bound on its turns.
-     *
-     * @return as JSON; {@code null} where a game has no such bound
-     */
+    /** The scene with another bound on its turns. @return as JSON; {@code null} where a game has no such bound */
     default String withTurns(Scene scene, int turns) {
         return null;
     }

@@ -20,10 +20,6 @@ public final class TurnEvents {
     private boolean[] headlines = new boolean[ROOM];
     private int size;
 
-    public TurnEvents() {
-        // The columns are there.
-    }
-
     /** Adds an event; the parameters are those of {@link TurnEvent}. */
     public void add(TurnEvent.Kind kind, double time, int body, double x, double y, String text, boolean headline) {
         add(kind, time, body, x, y, null, 0, headline);

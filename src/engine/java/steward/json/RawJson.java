@@ -1,6 +1,5 @@
 package steward.json;
 
-import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -15,7 +14,7 @@ import tools.jackson.core.io.NumberOutput;
  * ensures that it is valid JSON. Numbers are written as by {@link JsonNumbers}. Reused from value to value without
  * allocating; not thread-safe.
  *
- * <p>Caveat: the methods for quoted text, which only field names need, throw.
+ * <p>Caveat: the methods for quoted text, which only field names need, throw, as do those that generators do not call.
  */
 public final class RawJson implements SerializableString {
 
@@ -28,11 +27,6 @@ public final class RawJson implements SerializableString {
     private final char[] digits = new char[ShortestDecimal.MAXIMUM_LENGTH];
     private byte[] bytes = new byte[256];
     private int size;
-
-    /** Creates an empty value. */
-    public RawJson() {
-        // Grows as it is written.
-    }
 
     /** The bytes of a constant text, such as {@code ,"x":}. */
     public static byte[] text(String text) {
@@ -172,51 +166,46 @@ public final class RawJson implements SerializableString {
     }
 
     @Override
-    public int writeUnquotedUTF8(OutputStream out) throws IOException {
-        out.write(bytes, 0, size);
-        return size;
+    public int writeUnquotedUTF8(OutputStream out) {
+        throw notSo();
     }
 
     @Override
     public int putUnquotedUTF8(ByteBuffer buffer) {
-        if (size > buffer.remaining()) {
-            return -1;
-        }
-        buffer.put(bytes, 0, size);
-        return size;
+        throw notSo();
     }
 
     @Override
     public char[] asQuotedChars() {
-        throw noText();
+        throw notSo();
     }
 
     @Override
     public byte[] asQuotedUTF8() {
-        throw noText();
+        throw notSo();
     }
 
     @Override
     public int appendQuotedUTF8(byte[] buffer, int offset) {
-        throw noText();
+        throw notSo();
     }
 
     @Override
     public int appendQuoted(char[] buffer, int offset) {
-        throw noText();
+        throw notSo();
     }
 
     @Override
     public int writeQuotedUTF8(OutputStream out) {
-        throw noText();
+        throw notSo();
     }
 
     @Override
     public int putQuotedUTF8(ByteBuffer buffer) {
-        throw noText();
+        throw notSo();
     }
 
-    private static UnsupportedOperationException noText() {
-        return new UnsupportedOperationException("a value in JSON is no text to be quoted");
+    private static UnsupportedOperationException notSo() {
+        return new UnsupportedOperationException("a value in JSON is written by a generator, and without quotes");
     }
 }

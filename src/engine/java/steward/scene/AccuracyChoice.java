@@ -2,7 +2,6 @@ package steward.scene;
 
 import java.util.List;
 
-
 /**
  * The rung on which a scene is computed, and how it was chosen.
  *

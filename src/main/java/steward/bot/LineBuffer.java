@@ -9,10 +9,6 @@ public final class LineBuffer extends OutputStream {
     private byte[] bytes = new byte[4096];
     private int size;
 
-    public LineBuffer() {
-        // The buffer grows when it is written to.
-    }
-
     /** The bytes themselves, valid up to {@link #size} and until something is written. */
     public byte[] bytes() {
         return bytes;

@@ -87,11 +87,7 @@ public final class Main {
         System.exit(run(streams, arguments));
     }
 
-    /**
-     * Runs the program.
-     *
-     * @return the exit status
-     */
+    /** Runs the program. @return the exit status */
     public static int run(Streams streams, String... arguments) {
         try {
             return call(streams, arguments);

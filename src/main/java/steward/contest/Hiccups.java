@@ -4,9 +4,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 
-/**
- * Policy for games that a bot lost on time while other programs or bots used the processors (see {@link Attempts}).
- */
+/** Policy for games that a bot lost on time while other programs or bots used the processors (see {@link Attempts}). */
 public enum Hiccups {
 
     /** They are played again with the same seed. */

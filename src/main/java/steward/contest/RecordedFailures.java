@@ -21,9 +21,7 @@ import steward.replay.ReplayReader;
 import steward.scene.SceneReader;
 import steward.scene.json.SceneException;
 
-/**
- * Failures of bots read from the replay of their match, with the same stderr lines and hints as when it was played.
- */
+/** Failures of bots read from the replay of their match, with the same stderr lines and hints as when it was played. */
 public final class RecordedFailures {
 
     private static final Pattern LATE = Pattern.compile("within ([0-9]{1,9}) ms .*waited ([0-9]{1,9}) for a processor");

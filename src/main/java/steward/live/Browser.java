@@ -49,11 +49,7 @@ public final class Browser {
             : ProgramFinder.find(opener.get(0)) == null ? "there is no " + opener.get(0) : null;
     }
 
-    /**
-     * Opens an address; does not wait for the browser to end.
-     *
-     * @return {@code null}, or why it could not be opened
-     */
+    /** Opens an address; does not wait for the browser to end. @return {@code null}, or why it could not be opened */
     public String open(URI address) throws InterruptedException {
         if (opener.isEmpty()) {
             return NO_DISPLAY;

@@ -47,7 +47,8 @@ final class InelasticSystem {
     private int[] previous = new int[0];
     private double parting;
     private final DenseActiveSet dense = new DenseActiveSet(this);
-    private final SparseActiveSet sparse = new SparseActiveSet(this);
+    private final SparseFactor factor = new SparseFactor(this);
+    private final SparseActiveSet sparse = new SparseActiveSet(this, factor);
     /** Places of contacts while they are sorted. */
     private int[] sorted = new int[0];
 
@@ -80,12 +81,12 @@ final class InelasticSystem {
     /** Forgets the contacts of all systems before: bodies have moved. */
     void forget(Bodies bodies) {
         size = 0;
-        sparse.forget(bodies);
+        factor.forget(bodies);
     }
 
     /** Takes note that a contact may be added, to this system or to one after it before bodies move. */
     void expect(int body, int other) {
-        sparse.expect(body, other);
+        factor.expect(body, other);
     }
 
     /** Adds a contact of two that have none, which may keep an approach speed; at 0 it is closed, and has to part. */

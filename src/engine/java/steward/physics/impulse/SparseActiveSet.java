@@ -56,9 +56,9 @@ final class SparseActiveSet {
     /** Contacts that may keep an approach up to this speed are guessed to carry. */
     private double nearly;
 
-    SparseActiveSet(InelasticSystem system) {
+    SparseActiveSet(InelasticSystem system, SparseFactor factor) {
         this.system = system;
-        factor = new SparseFactor(system);
+        this.factor = factor;
         interior = new InteriorPoint(system, factor);
     }
 
@@ -67,17 +67,6 @@ final class SparseActiveSet {
         known = 0;
         isFound = false;
         begins = true;
-    }
-
-    /** Forgets the couplings of all contacts: bodies have moved. */
-    void forget(Bodies bodies) {
-        begin();
-        factor.forget(bodies);
-    }
-
-    /** Takes note that a contact may be added, to this system or to one after it. */
-    void expect(int body, int other) {
-        factor.expect(body, other);
     }
 
     /** Begins with impulses of 0, and with a new guess, unless the last set was a solution. */

@@ -90,12 +90,10 @@ final class SparseFactor {
 
     /** Takes note that a system of these places may have a contact. @return its index */
     int expect(int body, int other) {
-        int p = last[body];
-        while (p >= 0 && b[p] != other) {
-            p = previous[p];
-        }
-        if (p >= 0) {
-            return p;
+        for (int p = last[body]; p >= 0; p = previous[p]) {
+            if (b[p] == other) {
+                return p;
+            }
         }
         if (size == a.length) {
             grow(Math.max(2 * size, 3 * last.length));

@@ -122,11 +122,7 @@ public final class ExactPairs extends PairTime {
         return meet ? Math.max(0, time.high() * (1 - 4 * U) - ROUNDING) : NEVER;
     }
 
-    /**
-     * The time of impact from now.
-     *
-     * @return false if there is none
-     */
+    /** The time of impact from now. @return false if there is none */
     public boolean exactTime(Bodies bodies, int i, int j, DoubleDouble until) {
         return exactTime(bodies.x[i], bodies.x[j], bodies.y[i], bodies.y[j], bodies.vx[i], bodies.vx[j],
             bodies.vy[i], bodies.vy[j], bodies.radius[i], bodies.radius[j], FastCircles.FINE, until);

@@ -10,9 +10,7 @@ public final class SceneException extends RuntimeException {
         super(message);
     }
 
-    /**
-     * @param path of the field from the root, or empty for the whole file
-     */
+    /** @param path of the field from the root, or empty for the whole file */
     static SceneException at(String source, SourcePosition place, String path, String problem) {
         return new SceneException(source + ":" + place.line() + ":" + place.column() + ": "
             + (path.isEmpty() ? "" : path + ": ") + problem);

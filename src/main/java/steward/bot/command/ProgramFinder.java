@@ -124,9 +124,7 @@ public final class ProgramFinder {
         return Files.isRegularFile(file) && Files.isExecutable(file);
     }
 
-    /**
-     * The files that the name can mean, in order of search; an empty entry of {@code PATH} is the folder.
-     */
+    /** The files that the name can mean, in order of search; an empty entry of {@code PATH} is the folder. */
     private static List<Path> candidates(String program, Path from) {
         List<Path> files = new ArrayList<>();
         if (program.isEmpty()) {

@@ -79,9 +79,7 @@ final class QuestionClock {
     private TimeSpent spent;
     private long spentOf;
 
-    /**
-     * @param sampler what the bot's processes have done up to a moment
-     */
+    /** @param sampler what the bot's processes have done up to a moment */
     QuestionClock(Supplier<OwnThread.State> asking, LongFunction<TreeSample> sampler) {
         this.asking = asking;
         this.sampler = sampler;

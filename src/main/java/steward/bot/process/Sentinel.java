@@ -120,40 +120,34 @@ final class Sentinel {
     /** From now on the target is killed when this JVM ends. */
     synchronized void watch(String target) {
         targets.add(target);
-        if (!order("+ " + target)) {
-            start();
-        }
+        tell("+ " + target);
     }
 
     /** Removes the target from the list without killing it. */
     synchronized void forget(String target) {
         targets.remove(target);
-        if (!order("- " + target)) {
-            start();
-        }
+        tell("- " + target);
     }
 
     /** From now on a file for stderr is removed when this JVM ends, by its number; it need not exist yet. */
     synchronized void watchFile(String number) {
         files.add(number);
-        if (!order("f " + number)) {
-            start();
-        }
+        tell("f " + number);
     }
 
     /** The file is gone, and so is what wrote to it. */
     synchronized void forgetFile(String number) {
         files.remove(number);
-        if (!order("u " + number)) {
+        tell("u " + number);
+    }
+
+    private void tell(String order) {
+        if (!order(order)) {
             start();
         }
     }
 
-    /**
-     * Kills the target and removes it from the list.
-     *
-     * @return whether there was anything to kill
-     */
+    /** Kills the target and removes it from the list. @return whether there was anything to kill */
     synchronized boolean kill(String target) {
         targets.remove(target);
         int status = order("k " + target) ? report() : -1;

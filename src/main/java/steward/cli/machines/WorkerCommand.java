@@ -5,7 +5,7 @@ import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.CountDownLatch;
 import java.util.function.Supplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -141,21 +141,24 @@ public final class WorkerCommand extends ProgramCommand {
 
     @SuppressWarnings("try")                           // only closed, never used
     private int play(Worker worker) throws InterruptedException {
-        Thread playing = Thread.currentThread();
-        AtomicBoolean over = new AtomicBoolean();
+        CountDownLatch over = new CountDownLatch(1);
         try (Interruption interruption = new Interruption(log, () -> {
-            if (over.get()) {
+            if (over.getCount() == 0) {
                 return null;
             }
             worker.drain();
             log.err().println("steward: the games that are under way are finished, no others begun");
-            join(playing, over);
+            try {
+                over.await();
+            } catch (InterruptedException end) {
+                Thread.currentThread().interrupt();
+            }
             return TextFormat.count(worker.played(), "game") + " played";
         })) {
             try {
                 worker.play();
             } finally {
-                over.set(true);                        // before the interruption is waited for
+                over.countDown();                      // before the interruption is waited for
             }
         } catch (Worker.RefusedException | InputException end) {
             log.err().println("steward: " + TextFormat.plain(end.getMessage()));
@@ -163,16 +166,6 @@ public final class WorkerCommand extends ProgramCommand {
         }
         streams.out().println(TextFormat.count(worker.played(), "game") + " played");
         return ExitStatus.DONE;
-    }
-
-    private static void join(Thread playing, AtomicBoolean over) {
-        while (playing.isAlive() && !over.get()) {
-            try {
-                Thread.sleep(50);
-            } catch (InterruptedException end) {
-                return;
-            }
-        }
     }
 
     private WorkerToken token() {

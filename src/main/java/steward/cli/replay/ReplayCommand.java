@@ -61,7 +61,6 @@ import steward.replay.verify.ViewComparison;
         "rules, or the signature is missing or by another key; 2 wrong file or call."})
 public final class ReplayCommand extends ProgramCommand {
 
-
     private static final double MOST_TURNS = 1e9;
 
     @Parameters(index = "0", paramLabel = "FILE",

@@ -90,7 +90,6 @@ record Workshop(Path folder, Isolation isolation, long limitMs, HandIn.Bounds bo
             return new Ready(program, folder, command, List.of(folder.relativize(file)), null, null);
         }
 
-
         /** True if the source is another one now. */
         boolean isChanged(HandIn.Bounds bounds) {
             return source != null && source.isChanged(bounds);

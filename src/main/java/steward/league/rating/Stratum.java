@@ -82,11 +82,7 @@ public final class Stratum {
         return bots[low[pair]] == Math.min(one, other) && bots[high[pair]] == Math.max(one, other);
     }
 
-    /**
-     * Adds a way for a cluster to go.
-     *
-     * @return its number
-     */
+    /** Adds a way for a cluster to go. @return its number */
     public int pattern(double... numbers) {
         if (numbers.length != sums.length) {
             throw new IllegalArgumentException("found " + numbers.length + " numbers, expected " + sums.length);

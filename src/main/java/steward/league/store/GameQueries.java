@@ -58,9 +58,7 @@ public final class GameQueries {
     private final int season;
     private final Season key;
 
-    /**
-     * @param key what all its games have in common
-     */
+    /** @param key what all its games have in common */
     public GameQueries(GameStore store, int season, Season key) {
         database = store.database();
         this.season = season;

@@ -154,11 +154,7 @@ final class SchemaVersion {
         return found < NEWEST;
     }
 
-    /**
-     * Brings it up to date.
-     *
-     * @return a copy of it as it was, or {@code null} if there was nothing in it
-     */
+    /** Brings it up to date. @return a copy of it as it was, or {@code null} if there was nothing in it */
     static Path migrate(Database database) {
         boolean isNew = database.number(FORM) == 0;
         Path copy = isNew ? null : OutputFiles.copyBeside(database.file(), "before-form-" + NEWEST);

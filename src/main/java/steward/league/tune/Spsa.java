@@ -30,9 +30,7 @@ public final class Spsa {
     private final List<double[]> path = new ArrayList<>();
     private final long seed;
 
-    /**
-     * @param seed of the lots
-     */
+    /** @param seed of the lots */
     public Spsa(TunedCommand command, int steps, long seed) {
         this.command = command;
         this.steps = steps;

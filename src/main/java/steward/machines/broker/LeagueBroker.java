@@ -246,11 +246,7 @@ public final class LeagueBroker implements AutoCloseable {
         }
     }
 
-    /**
-     * Returns a worker's next message.
-     *
-     * @return {@code null} if nobody says anything for so long
-     */
+    /** Returns a worker's next message. @return {@code null} if nobody says anything for so long */
     public Report next(long waitMs) throws InterruptedException {
         try {
             ClientMessage message = reports.receive(waitMs);

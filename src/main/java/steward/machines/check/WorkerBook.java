@@ -140,11 +140,7 @@ public final class WorkerBook {
         return machine.startsWith(WORKER) && end > 0 ? machine.substring(WORKER.length(), end) : null;
     }
 
-    /**
-     * A game that is stored.
-     *
-     * @return what has become doubtful of its worker, a sentence each
-     */
+    /** A game that is stored. @return what has become doubtful of its worker, a sentence each */
     public synchronized List<String> add(StoredGame game) {
         String name = worker(game.machine());
         Entry entry = name == null ? null

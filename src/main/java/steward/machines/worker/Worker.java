@@ -11,6 +11,7 @@ import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import steward.bot.isolation.Isolation;
 import steward.files.InputException;
@@ -181,21 +182,28 @@ public final class Worker {
     }
 
     private JobPlay welcome(BrokerClient client) throws BrokenException {
+        LeagueWord answer = heard(client, word -> word instanceof LeagueWord.Refused
+            || word instanceof LeagueWord.Welcome ? word : null);      // others are of an earlier connection
+        if (answer instanceof LeagueWord.Refused refused) {
+            throw new RefusedException(refused.reason());
+        }
+        if (answer instanceof LeagueWord.Welcome welcome) {
+            return jobs(client, welcome);
+        }
+        throw new BrokenException(options.host() + ":" + options.port() + ": the league does not answer", false);
+    }
+
+    /** Returns that of the league's words that is wanted, or {@code null} if it has not come in time. */
+    private static <T> T heard(BrokerClient client, Function<LeagueWord, T> wanted) throws BrokenException {
         long began = System.nanoTime();
         while (System.nanoTime() - began < TimeUnit.MILLISECONDS.toNanos(PATIENCE_MS)) {
             byte[] bytes = client.listen(POLL_MS);
-            if (bytes == null) {
-                continue;
-            }
-            LeagueWord word = word(bytes);
-            if (word instanceof LeagueWord.Refused refused) {
-                throw new RefusedException(refused.reason());
-            }
-            if (word instanceof LeagueWord.Welcome welcome) {      // else it is of an earlier connection
-                return jobs(client, welcome);
+            T found = bytes == null ? null : wanted.apply(word(bytes));
+            if (found != null) {
+                return found;
             }
         }
-        throw new BrokenException(options.host() + ":" + options.port() + ": the league does not answer", false);
+        return null;
     }
 
     /** The scene of a league, with the files of its own referee as they are here. */
@@ -301,16 +309,11 @@ public final class Worker {
     }
 
     private static byte[] part(BrokerClient client, String hash, int from) throws BrokenException {
-        long began = System.nanoTime();
-        while (System.nanoTime() - began < TimeUnit.MILLISECONDS.toNanos(PATIENCE_MS)) {
-            byte[] bytes = client.listen(POLL_MS);
-            if (bytes == null) {
-                continue;
-            }
-            if (word(bytes) instanceof LeagueWord.Piece piece && piece.bundle().equals(hash) && piece.from() == from) {
-                return piece.bytes();
-            }
+        byte[] part = heard(client, word -> word instanceof LeagueWord.Piece piece && piece.bundle().equals(hash)
+            && piece.from() == from ? piece.bytes() : null);
+        if (part == null) {
+            throw new BrokenException("the league does not send the bundle " + hash, false);
         }
-        throw new BrokenException("the league does not send the bundle " + hash, false);
+        return part;
     }
 }

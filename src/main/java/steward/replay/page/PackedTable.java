@@ -59,9 +59,7 @@ final class PackedTable {
     /** Rows of each turn; -1 for a turn without such a table. */
     private final List<Integer> counts = new ArrayList<>();
 
-    /**
-     * @param isSteady whether a row is predicted from its place in the two turns before, and not from the row above
-     */
+    /** @param isSteady whether a row is predicted from its place in the two turns before, and not from the row above */
     PackedTable(String name, boolean isSteady) {
         this.name = name;
         this.isSteady = isSteady;

@@ -166,11 +166,7 @@ public final class Resimulation {
         return codec;
     }
 
-    /**
-     * Plays one recorded turn.
-     *
-     * @return {@code null}, or the difference because of which it cannot be played
-     */
+    /** Plays one recorded turn. @return {@code null}, or the difference because of which it cannot be played */
     public ReplayDifference play(RecordedTurn turn) {
         ReplayDifference difference = prepare(turn);
         if (difference == null) {

@@ -99,9 +99,7 @@ final class PodTurn {
         this(checkpoints, pods, perPlayer, laps, rules, new OfficialAdvance(RADIUS), new TurnLog(TurnLog.RECORDED));
     }
 
-    /**
-     * @param log receives the impacts that are recorded
-     */
+    /** @param log receives the impacts that are recorded */
     PodTurn(double[][] checkpoints, int pods, int perPlayer, int laps, RulesEdition rules, OfficialAdvance advance,
             TurnLog log) {
         this.pods = pods;
