@@ -1,5 +1,6 @@
 package steward.json;
 
+import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -14,7 +15,7 @@ import tools.jackson.core.io.NumberOutput;
  * ensures that it is valid JSON. Numbers are written as by {@link JsonNumbers}. Reused from value to value without
  * allocating; not thread-safe.
  *
- * <p>Caveat: the methods for quoted text, which only field names need, throw, as do those that generators do not call.
+ * <p>Caveat: the methods for quoted text, which only field names need, throw.
  */
 public final class RawJson implements SerializableString {
 
@@ -166,46 +167,51 @@ public final class RawJson implements SerializableString {
     }
 
     @Override
-    public int writeUnquotedUTF8(OutputStream out) {
-        throw notSo();
+    public int writeUnquotedUTF8(OutputStream out) throws IOException {
+        out.write(bytes, 0, size);
+        return size;
     }
 
     @Override
     public int putUnquotedUTF8(ByteBuffer buffer) {
-        throw notSo();
+        if (size > buffer.remaining()) {
+            return -1;
+        }
+        buffer.put(bytes, 0, size);
+        return size;
     }
 
     @Override
     public char[] asQuotedChars() {
-        throw notSo();
+        throw noText();
     }
 
     @Override
     public byte[] asQuotedUTF8() {
-        throw notSo();
+        throw noText();
     }
 
     @Override
     public int appendQuotedUTF8(byte[] buffer, int offset) {
-        throw notSo();
+        throw noText();
     }
 
     @Override
     public int appendQuoted(char[] buffer, int offset) {
-        throw notSo();
+        throw noText();
     }
 
     @Override
     public int writeQuotedUTF8(OutputStream out) {
-        throw notSo();
+        throw noText();
     }
 
     @Override
     public int putQuotedUTF8(ByteBuffer buffer) {
-        throw notSo();
+        throw noText();
     }
 
-    private static UnsupportedOperationException notSo() {
-        return new UnsupportedOperationException("a value in JSON is written by a generator, and without quotes");
+    private static UnsupportedOperationException noText() {
+        return new UnsupportedOperationException("a value in JSON is no text to be quoted");
     }
 }

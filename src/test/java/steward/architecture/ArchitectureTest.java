@@ -242,4 +242,12 @@ class ArchitectureTest {
         assertEquals(3, page.split("\n\\| 1 \\| \\[`").length - 1, "ways: a match, a league, a worker");
         assertEquals(1, page.split("\n\\| 9 \\| \\[`").length, "no way has more than 8 files");
     }
+
+    /** Sizes of all parts, though tests have pictures and packed files. */
+    @Test
+    void houseTellsTheSizeOfEachPart() {
+        String sizes = String.join("\n", House.sizes());
+        assertTrue(sizes.matches("engine .*\nmain .*\nlab .*\nengineTest .*\ntest .*\nlabTest .*"), sizes);
+        assertTrue(House.sizes().stream().allMatch(line -> line.matches("\\w+ +[1-9]\\d{3,} lines .*")), sizes);
+    }
 }

@@ -126,8 +126,7 @@ public final class House {
 
     public static void main(String[] arguments) throws IOException {
         Files.writeString(TOUR, withMap(Files.readString(TOUR)));
-        List.of("engine", "main", "lab", "engineTest", "test", "labTest")
-            .forEach(part -> System.out.println(size(part)));
+        sizes().forEach(System.out::println);
     }
 
     /**
@@ -163,6 +162,11 @@ public final class House {
     /** Adds all that a room rests on; each once, as the number of ways to it grows with every level. */
     private static void addUsed(String room, Map<String, Set<String>> uses, Set<String> reached) {
         uses.get(room).stream().filter(reached::add).forEach(next -> addUsed(next, uses, reached));
+    }
+
+    /** Returns how large the parts of the product and those of its tests are, a line each. */
+    static List<String> sizes() {
+        return Stream.of("engine", "main", "lab", "engineTest", "test", "labTest").map(House::size).toList();
     }
 
     /** Returns lines and files of a part, resources included, and how many classes its rooms have. */

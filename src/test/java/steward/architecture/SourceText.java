@@ -2,11 +2,13 @@ package steward.architecture;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /** Texts of files in the repository, by path from its top, with slashes. */
@@ -15,12 +17,12 @@ public final class SourceText {
     private SourceText() {
     }
 
-    /** One file; pictures, packed ones and others with a byte of 0 have no text. */
+    /** One file; pictures, packed ones and others with a byte of 0 have no text, and what else is not UTF-8 fails. */
     public static String of(String file) {
         try {
             byte[] bytes = Files.readAllBytes(Path.of(file));
-            String text = new String(bytes, StandardCharsets.UTF_8);
-            return text.indexOf(0) < 0 ? text : "";
+            return IntStream.range(0, bytes.length).anyMatch(k -> bytes[k] == 0) ? ""
+                : StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
         } catch (IOException problem) {
             throw new UncheckedIOException(problem);
         }
